@@ -1,0 +1,82 @@
+# Dependencies are the system's packages (Debian 12 names in ./run). Where one is missing, the same
+# release is fetched at a pinned tag instead, so that other systems can build too.
+include(FetchContent)
+find_package(Threads REQUIRED)
+find_package(PkgConfig REQUIRED)
+
+# windloom_fetch(NAME REPOSITORY TAG)
+macro(windloom_fetch name repository tag)
+  message(STATUS "${name}: no system package found, fetching ${repository} at ${tag}")
+  FetchContent_Declare(${name} GIT_REPOSITORY ${repository} GIT_TAG ${tag} GIT_SHALLOW TRUE)
+  FetchContent_MakeAvailable(${name})
+endmacro()
+
+find_package(glm QUIET)
+if(NOT TARGET glm::glm)
+  windloom_fetch(glm https://github.com/g-truc/glm.git 0.9.9.8)
+endif()
+
+find_package(nlohmann_json 3.11 QUIET)
+if(NOT TARGET nlohmann_json::nlohmann_json)
+  windloom_fetch(nlohmann_json https://github.com/nlohmann/json.git v3.11.2)
+endif()
+
+find_package(CLI11 2.1 QUIET)
+if(NOT TARGET CLI11::CLI11)
+  windloom_fetch(CLI11 https://github.com/CLIUtils/CLI11.git v2.1.2)
+endif()
+
+find_package(PNG QUIET)
+if(NOT TARGET PNG::PNG)
+  message(FATAL_ERROR "libpng with its headers is needed (Debian: libpng-dev)")
+endif()
+
+pkg_check_modules(EPOXY QUIET IMPORTED_TARGET epoxy)
+if(NOT TARGET PkgConfig::EPOXY)
+  message(FATAL_ERROR "libepoxy with its headers is needed (Debian: libepoxy-dev)")
+endif()
+
+pkg_check_modules(HWY QUIET IMPORTED_TARGET libhwy)
+if(TARGET PkgConfig::HWY)
+  add_library(windloom_highway ALIAS PkgConfig::HWY)
+else()
+  set(HWY_ENABLE_TESTS OFF CACHE BOOL "" FORCE)
+  set(HWY_ENABLE_EXAMPLES OFF CACHE BOOL "" FORCE)
+  windloom_fetch(highway https://github.com/google/highway.git 1.0.3)
+  add_library(windloom_highway ALIAS hwy)
+endif()
+
+if(WINDLOOM_EDITOR)
+  find_package(glfw3 3.3 QUIET)
+  if(NOT TARGET glfw)
+    windloom_fetch(glfw https://github.com/glfw/glfw.git 3.3.8)
+  endif()
+  # Debian's libimgui holds the GLFW and OpenGL 3 backends; their headers lie in imgui/backends.
+  pkg_check_modules(IMGUI QUIET IMPORTED_TARGET imgui)
+  if(TARGET PkgConfig::IMGUI)
+    add_library(windloom_imgui ALIAS PkgConfig::IMGUI)
+  else()
+    FetchContent_Declare(imgui GIT_REPOSITORY https://github.com/ocornut/imgui.git GIT_TAG v1.86 GIT_SHALLOW TRUE)
+    FetchContent_Populate(imgui)
+    file(GLOB imgui_sources ${imgui_SOURCE_DIR}/*.cpp)
+    add_library(windloom_imgui STATIC ${imgui_sources} ${imgui_SOURCE_DIR}/misc/cpp/imgui_stdlib.cpp
+      ${imgui_SOURCE_DIR}/backends/imgui_impl_glfw.cpp ${imgui_SOURCE_DIR}/backends/imgui_impl_opengl3.cpp)
+    target_include_directories(windloom_imgui SYSTEM PUBLIC ${imgui_SOURCE_DIR} ${imgui_SOURCE_DIR}/misc/cpp ${imgui_SOURCE_DIR}/backends)
+    target_link_libraries(windloom_imgui PUBLIC glfw ${CMAKE_DL_LIBS})
+  endif()
+endif()
+
+if(WINDLOOM_TESTS)
+  find_package(GTest QUIET)
+  if(NOT TARGET GTest::gtest)
+    windloom_fetch(googletest https://github.com/google/googletest.git v1.12.1)
+    add_library(GTest::gtest ALIAS gtest)
+    add_library(GTest::gtest_main ALIAS gtest_main)
+  endif()
+  # The tests' independent checks are Python scripts; the system's interpreter has Debian's numpy and
+  # jsonschema packages, one found earlier on PATH may not.
+  find_program(WINDLOOM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+  if(NOT WINDLOOM_PYTHON)
+    find_program(WINDLOOM_PYTHON python3 REQUIRED)
+  endif()
+endif()

@@ -1,0 +1,26 @@
+# windloom_test(NAME SOURCES a.cpp ... DEPENDS target ... [LABELS label ...] [TIMEOUT seconds])
+# One GoogleTest program and one CTest entry for a room. Labels: unit (no GPU), gpu (needs OpenGL 4.5,
+# llvmpipe will do), golden, cli, ui, rules; `long` marks what only `./test --all` runs.
+include(GoogleTest)
+function(windloom_test name)
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest GTest::gtest_main windloom_warnings)
+  target_compile_definitions(${name} PRIVATE WINDLOOM_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
+    WINDLOOM_PROJECTS="${CMAKE_SOURCE_DIR}/projects")
+  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()
+
+# windloom_python_test(NAME SCRIPT script.py ARGS ... [LABELS ...] [TIMEOUT seconds])
+function(windloom_python_test name)
+  cmake_parse_arguments(ARG "" "SCRIPT;TIMEOUT" "ARGS;LABELS" ${ARGN})
+  add_test(NAME ${name} COMMAND ${WINDLOOM_PYTHON} ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_SCRIPT} ${ARG_ARGS})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  set_tests_properties(${name} PROPERTIES LABELS "${ARG_LABELS}" TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,32 @@
+#pragma once
+// Whole files in and out. Writing is atomic: a reader, a crash or a full disk never meets a torn file.
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/core/result.hpp"
+
+namespace windloom {
+
+/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path
+/// is missing, is a folder, or is larger than `limitBytes`.
+Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t limitBytes = 256ull << 20);
+
+enum class Backup { None, KeepOne };
+
+/// Writes `bytes` to a temporary file in the same folder, syncs it, and renames it over `path`. With
+/// KeepOne the old file is first kept as "PATH.bak". On failure (Machine) the old file is untouched
+/// and no temporary file stays.
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Backup backup = Backup::None);
+
+/// Makes a folder and its parents. Fails with Machine.
+Status makeFolder(const std::filesystem::path& path);
+
+/// Where shaders and sample projects lie: $WINDLOOM_DATA if set, else beside the installed program
+/// (PREFIX/share/windloom), else the source tree the program was built from. `name` is "shaders" or
+/// "projects". Fails with Machine, naming the folders that were tried.
+Result<std::filesystem::path> findDataFolder(std::string_view name);
+
+}  // namespace windloom

@@ -1,0 +1,163 @@
+#pragma once
+// The project: everything an artist made, as one value. Metres, seconds, degrees; the world is
+// right-handed with +Y up and the wind field lies in the XZ plane, so a 2D position is (x, z).
+//
+// A Project is cheap to copy: its parts are shared and immutable. Equal pointers mean unchanged, for
+// history, session and dirty flag alike. It changes only through applyEdit (edit.hpp).
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/model/wind_graph.hpp"
+
+namespace windloom {
+
+inline constexpr int kProjectVersion = 1;
+
+enum class Border {
+  Open,      ///< air enters and leaves freely (p = 0)
+  Wall,      ///< no flow through it, slip along it
+  Periodic,  ///< joined to the opposite side; both sides must be periodic
+};
+
+struct FieldSettings {
+  glm::vec2 centre{0.0f, 0.0f};         ///< m
+  glm::vec2 size{100.0f, 100.0f};       ///< m
+  glm::ivec2 resolution{1000, 1000};    ///< cells
+  Border xMin = Border::Open, xMax = Border::Open, zMin = Border::Open, zMax = Border::Open;
+  float timeStep = 1.0f / 60.0f;        ///< s
+  std::string extra;                    ///< unknown keys as read: the text of a JSON object, or empty
+};
+
+enum class Backend { Auto, Gpu, Cpu };
+enum class Advection { MacCormack, SemiLagrangian };
+enum class Pressure { Multigrid, Jacobi };
+
+struct SolverSettings {
+  Backend backend = Backend::Auto;             ///< Auto: the GPU, but the CPU where OpenGL is a software renderer
+  Advection advection = Advection::MacCormack;
+  Pressure pressure = Pressure::Multigrid;
+  float divergenceTolerance = 1e-3f;           ///< multigrid stops when RMS(div) after / before is below this
+  int maxCycles = 8;                           ///< multigrid: at most so many V-cycles a step
+  int jacobiSweeps = 20;                       ///< Jacobi: sweeps a step (the paper's scheme)
+  float confinement = 0.2f;                    ///< vorticity confinement, dimensionless, bounded by local speed
+  float viscosity = 0.0f;                      ///< kinematic, m^2/s
+  float dissipation = 0.1f;                    ///< k, 1/s: the field relaxes to the ambient wind as 1/(1 + k dt)
+  float maxSpeed = 100.0f;                     ///< m/s: no cell is ever faster
+  int seed = 7;
+  std::string extra;
+};
+
+/// Wind that blows everywhere, from outside the field.
+struct AmbientWind {
+  float speed = 0.0f;         ///< m/s
+  float direction = 0.0f;     ///< deg from +X towards +Z: where the air goes to
+  float gustStrength = 0.0f;  ///< amplitude of the travelling gusts as a part of `speed`
+  float gustSize = 12.0f;     ///< m: wavelength of the gust pattern
+  float gustSpeed = 3.0f;     ///< m/s: how fast the pattern travels along `direction`
+  std::string extra;
+};
+
+enum class ObstacleShape { Circle, Box };
+
+/// A solid: no air flows through it.
+struct Obstacle {
+  Id id = 0;
+  std::string name;
+  ObstacleShape shape = ObstacleShape::Circle;
+  glm::vec2 centre{0.0f, 0.0f};  ///< m
+  float radius = 3.0f;           ///< m; circle only
+  glm::vec2 size{4.0f, 4.0f};    ///< m, along its own axes; box only
+  float rotation = 0.0f;         ///< deg from +X towards +Z; box only
+  float height = 2.0f;           ///< m; how high it is drawn
+  bool hidden = false, muted = false, locked = false;
+  std::string extra;
+};
+
+/// A place where the wind is watched.
+struct Probe {
+  Id id = 0;
+  std::string name;
+  glm::vec2 position{0.0f, 0.0f};  ///< m
+  bool hidden = false, locked = false;
+  std::string extra;
+};
+
+struct Camera {
+  Id id = 0;
+  std::string name;
+  glm::vec3 position{0.0f, 20.0f, 60.0f};  ///< m
+  glm::vec3 target{0.0f, 0.0f, 0.0f};      ///< m
+  float fieldOfView = 45.0f;               ///< deg, vertical
+  std::string extra;
+};
+
+enum class TerrainKind { Flat };
+
+struct TerrainSettings {
+  TerrainKind kind = TerrainKind::Flat;
+  glm::vec3 colour{0.17f, 0.15f, 0.08f};  ///< bare ground between the blades, linear RGB
+  std::string extra;
+};
+
+enum class GrassKind { Instanced };
+enum class Deformation {
+  Arc,        ///< keeps the blade's length, never lies down (reference/cwd-sim section 3, `arc`)
+  Quadratic,  ///< CWD-Sim eq. 11-13 as printed, with the axis fix
+};
+
+struct GrassSettings {
+  GrassKind kind = GrassKind::Instanced;
+  float density = 100.0f;            ///< blades per m^2
+  int seed = 1;
+  float height = 0.55f;              ///< m
+  float heightVariation = 0.35f;     ///< part of the height, 0..1
+  float width = 0.022f;              ///< m, at the base
+  float stiffness = 1.0f;            ///< 1 = meadow grass; doubling it halves the bend for the same wind
+  float stiffnessVariation = 0.3f;   ///< part of the stiffness, 0..1
+  float clumping = 0.5f;             ///< how strongly neighbours share height, lean and colour, 0..1
+  Deformation deformation = Deformation::Arc;
+  float windFactor = 0.06f;          ///< F of CWD-Sim eq. 12: bend per m/s
+  float droopDown = 0.05f;           ///< k1 of eq. 11
+  float droopForward = 0.1f;         ///< k2 of eq. 11
+  float restBlend = 0.2f;            ///< lambda of eq. 13
+  float flutter = 0.35f;             ///< strength of the small motion around the bent pose, 0..1
+  glm::vec3 baseColour{0.035f, 0.075f, 0.014f};  ///< linear RGB at the root
+  glm::vec3 tipColour{0.30f, 0.42f, 0.085f};     ///< linear RGB at the tip
+  glm::vec3 dryColour{0.46f, 0.38f, 0.15f};      ///< what some clumps lean to
+  float dryness = 0.25f;             ///< part of the clumps that lean to dryColour, 0..1
+  float shadowMin = 0.35f;           ///< m_min of eq. 14
+  float shadowMax = 1.0f;            ///< m_max of eq. 14
+  float shadowWind = 0.25f;          ///< c1 of eq. 14
+  float shadowOffset = 0.45f;        ///< c2 of eq. 14
+  std::string extra;
+};
+
+template <class T>
+using Shared = std::shared_ptr<const T>;
+
+struct Project {
+  std::string name = "Untitled";
+  Shared<FieldSettings> field = std::make_shared<FieldSettings>();
+  Shared<SolverSettings> solver = std::make_shared<SolverSettings>();
+  Shared<AmbientWind> ambient = std::make_shared<AmbientWind>();
+  Shared<WindGraph> graph = std::make_shared<WindGraph>();
+  Shared<std::vector<Obstacle>> obstacles = std::make_shared<std::vector<Obstacle>>();
+  Shared<TerrainSettings> terrain = std::make_shared<TerrainSettings>();
+  Shared<GrassSettings> grass = std::make_shared<GrassSettings>();
+  Shared<std::vector<Probe>> probes = std::make_shared<std::vector<Probe>>();
+  Shared<std::vector<Camera>> cameras = std::make_shared<std::vector<Camera>>();
+  Shared<std::string> extra = std::make_shared<std::string>();  ///< unknown top-level keys, JSON object text
+
+  /// Same name and same part pointers: nothing was edited between the two.
+  [[nodiscard]] bool sameAs(const Project& other) const;
+};
+
+/// Ids are unique over points, arrows, obstacles, probes and cameras of one project; 0 is no id.
+/// The lowest id above every one in use.
+Id nextFreeId(const Project& project);
+
+}  // namespace windloom

@@ -1,0 +1,81 @@
+#pragma once
+// One picture of a project: sky, ground, grass in wind, obstacles, overlays, arrows, tone map.
+
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/core/grid_mapping.hpp"
+#include "engine/core/result.hpp"
+#include "engine/model/evaluate.hpp"
+#include "engine/model/project.hpp"
+#include "engine/render/view_camera.hpp"
+
+namespace windloom {
+
+namespace gpu {
+class Context;
+class ShaderLibrary;
+}  // namespace gpu
+
+/// The wind as the renderers read it.
+struct WindTexture {
+  unsigned name = 0;  ///< RG32F or RG16F texture, texel (i, k) = cell (i, k), m/s
+  GridMapping grid{};
+};
+
+struct Overlays {
+  bool arrows = true;   ///< wind trees, points, obstacles' outlines, probes
+  bool vectors = false; ///< wind vectors on a regular grid
+  bool speed = false;   ///< speed map on the ground with `speedRange`
+  float speedRange = 12.0f;  ///< m/s at the top of the colour map
+};
+
+/// What the editor marks.
+struct Highlight {
+  std::span<const Id> selected;
+  Id hovered = 0;
+};
+
+/// How much grass is drawn. 1 = everything within reach; the editor's quality control lowers it.
+struct GrassQuality {
+  float detail = 1.0f;  ///< 0..1: fewer blades far away first, then fewer near
+};
+
+struct FrameInput {
+  const Project* project = nullptr;
+  const GraphEvaluator* graph = nullptr;  ///< for the arrows' colour at `time`; may be null: drawn at full strength
+  WindTexture wind;                       ///< name 0: still air
+  double time = 0;                        ///< s
+  ViewCamera camera;
+  glm::ivec2 size{1280, 720};             ///< pixels
+  unsigned framebuffer = 0;               ///< target, 8-bit colour; the picture is written sRGB-encoded
+  glm::ivec2 origin{0, 0};                ///< lower left corner in the target
+  Overlays overlays;
+  Highlight highlight;
+  GrassQuality quality;
+};
+
+struct FrameStats {
+  long long bladesTotal = 0;  ///< that the project asks for
+  long long bladesDrawn = 0;  ///< of a recent finished frame
+  double gpuMs = 0;           ///< of a recent finished frame; 0 until known
+  std::vector<std::pair<std::string, double>> passMs;
+};
+
+class FrameRenderer {
+ public:
+  /// Fails with Machine (file and line of a shader that doesn't compile).
+  static Result<std::unique_ptr<FrameRenderer>> create(gpu::Context& context, gpu::ShaderLibrary& shaders);
+  virtual ~FrameRenderer() = default;
+
+  /// Never waits for the GPU.
+  virtual FrameStats render(const FrameInput& input) = 0;
+};
+
+/// The speed colour map (perceptually even, colour-blind safe) at t in 0..1, sRGB. The legend uses it too.
+glm::vec3 speedColour(float t);
+
+}  // namespace windloom

@@ -1,0 +1,72 @@
+#pragma once
+// A project brought to life for the editor and for `render`: it compares each new project with what it
+// last saw, updates only what changed, keeps the wind blowing at its fixed step, and draws.
+
+#include <memory>
+
+#include "engine/render/frame_renderer.hpp"
+#include "engine/session/simulation.hpp"
+
+namespace windloom {
+
+enum class LiveGrid {
+  Full,       ///< the project's resolution, whatever it costs
+  Automatic,  ///< on the CPU backend a coarser grid that holds real time; shown in the status
+};
+
+struct SessionOptions {
+  gpu::Context* context = nullptr;        ///< must outlive the session
+  gpu::ShaderLibrary* shaders = nullptr;  ///< must outlive the session
+  Backend backend = Backend::Auto;        ///< overrides the project's unless Auto
+  LiveGrid liveGrid = LiveGrid::Automatic;
+};
+
+struct SessionStatus {
+  Backend backend = Backend::Cpu;
+  glm::ivec2 liveResolution{0};     ///< cells the live wind runs on
+  glm::ivec2 projectResolution{0};  ///< cells that sample and bake use
+  double stepMs = 0;                ///< median of recent steps
+  double timeScale = 1;             ///< simulated seconds per wall second while playing; < 1: can't keep up
+  WindDiagnostics wind;
+  FrameStats frame;
+};
+
+class Session {
+ public:
+  static Result<std::unique_ptr<Session>> create(const Project& project, const SessionOptions& options);
+  virtual ~Session() = default;
+
+  /// Equal parts cost nothing. On failure the session keeps showing the last project.
+  virtual Status setProject(const Project& project) = 0;
+  virtual Status setLiveGrid(LiveGrid choice) = 0;
+
+  virtual void play() = 0;
+  virtual void pause() = 0;
+  [[nodiscard]] virtual bool playing() const = 0;
+  virtual void stepOnce() = 0;
+  virtual void restart() = 0;
+  [[nodiscard]] virtual double time() const = 0;
+
+  /// While playing, runs the steps that `wallSeconds` of real time call for, but no more than fit in about half
+  /// a frame: a slow machine slows time down instead of spiralling.
+  virtual void advance(double wallSeconds) = 0;
+  /// Steps to a time without drawing, for pictures at a time.
+  virtual void runTo(double seconds) = 0;
+
+  struct View {
+    ViewCamera camera;
+    glm::ivec2 size{1280, 720};
+    unsigned framebuffer = 0;
+    glm::ivec2 origin{0, 0};
+    Overlays overlays;
+    Highlight highlight;
+    GrassQuality quality;
+  };
+  virtual void draw(const View& view) = 0;
+
+  /// Wind at a world position in m/s; on the GPU backend of a recent step, so that nothing waits.
+  virtual glm::vec2 windAt(glm::vec2 world) = 0;
+  [[nodiscard]] virtual const SessionStatus& status() = 0;
+};
+
+}  // namespace windloom

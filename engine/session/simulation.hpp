@@ -1,0 +1,66 @@
+#pragma once
+// A project's wind over time: graph evaluation, solver and fixed-step clock together. Needs no OpenGL on
+// the CPU backend; `sample` and `bake` use it directly, the live Session builds on it.
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "engine/wind/wind_solver.hpp"
+
+namespace windloom {
+
+struct SimulationOptions {
+  Backend backend = Backend::Auto;             ///< overrides the project's unless Auto
+  std::optional<glm::ivec2> resolution;        ///< instead of the project's (live preview)
+  gpu::Context* context = nullptr;             ///< null: only the CPU backend is there
+  gpu::ShaderLibrary* shaders = nullptr;
+  int threads = 0;                             ///< CPU backend; as for ThreadPool
+};
+
+class Simulation {
+ public:
+  /// Fails with Machine where the GPU backend was asked for by name and there is no usable context, and with
+  /// BadInput where the project is not valid.
+  static Result<std::unique_ptr<Simulation>> create(const Project& project, const SimulationOptions& options);
+
+  /// Takes over what changed between the last project and this one; the air keeps moving unless the
+  /// grid itself changed. Changes to the graph apply from the next step.
+  Status setProject(const Project& project);
+
+  void step();
+  /// Back to time 0, ambient wind.
+  void restart();
+  /// Steps until time() >= seconds (rounded to whole steps). `cancelled` is asked between steps.
+  void runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
+
+  [[nodiscard]] double time() const { return static_cast<double>(m_steps) * m_dt; }
+  [[nodiscard]] long steps() const { return m_steps; }
+
+  /// Wind at a world position, m/s, bilinear between cell centres, clamped to the field. Reads the field
+  /// back at most once a step.
+  glm::vec2 windAt(glm::vec2 world);
+  /// The whole cell-centred field (see WindSolver::readVelocity), read back at most once a step.
+  const std::vector<glm::vec2>& velocity();
+
+  WindSolver& solver() { return *m_solver; }
+  [[nodiscard]] const GraphEvaluator& graph() const { return *m_graph; }
+  [[nodiscard]] const Project& project() const { return m_project; }
+
+ private:
+  Simulation() = default;
+  Status build();
+
+  Project m_project;
+  SimulationOptions m_options;
+  std::unique_ptr<WindSolver> m_solver;
+  std::unique_ptr<GraphEvaluator> m_graph;
+  std::vector<glm::vec2> m_cells;
+  bool m_cellsFresh = false;
+  long m_steps = 0;
+  double m_dt = 0;
+};
+
+}  // namespace windloom
