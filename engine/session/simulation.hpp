@@ -13,34 +13,40 @@
 namespace windloom {
 
 struct SimulationOptions {
-  Backend backend = Backend::Auto;             ///< overrides the project's unless Auto
-  std::optional<glm::ivec2> resolution;        ///< instead of the project's (live preview)
-  gpu::Context* context = nullptr;             ///< null: only the CPU backend is there
-  gpu::ShaderLibrary* shaders = nullptr;
-  int threads = 0;                             ///< CPU backend; as for ThreadPool
+  Backend backend = Backend::Auto;       ///< overrides the project's unless Auto
+  std::optional<glm::ivec2> resolution;  ///< instead of the project's (live preview)
+  gpu::Context* context = nullptr;       ///< null: only the CPU backend is there
+  gpu::ShaderLibrary* shaders = nullptr; ///< must be given with a context; both must outlive the simulation
+  int threads = 0;                       ///< CPU backend; as for ThreadPool
 };
 
 class Simulation {
  public:
-  /// Fails with Machine where the GPU backend was asked for by name and there is no usable context, and with
-  /// BadInput where the project is not valid.
+  /// Starts at time 0 from the ambient wind. Fails with Machine where the GPU backend was asked for by name and
+  /// there is no context, and with BadInput where the project is not valid.
   static Result<std::unique_ptr<Simulation>> create(const Project& project, const SimulationOptions& options);
 
-  /// Takes over what changed between the last project and this one; the air keeps moving unless the
-  /// grid itself changed. Changes to the graph apply from the next step.
+  /// Takes over what changed between the last project and this one; the air keeps moving unless the grid or
+  /// the backend changed, which starts again at time 0. Changes to the graph apply from the next step. On
+  /// failure the last project stays.
   Status setProject(const Project& project);
 
-  void step();
-  /// Back to time 0, ambient wind.
-  void restart();
-  /// Steps until time() >= seconds (rounded to whole steps). `cancelled` is asked between steps.
-  void runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
+  /// Starts from a given field instead (see WindSolver::setVelocity), now and after each restart. Refused
+  /// (BadInput) where the resolution isn't the simulation's.
+  Status setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells);
 
-  [[nodiscard]] double time() const { return static_cast<double>(m_steps) * m_dt; }
+  void step();
+  /// Back to time 0: the ambient wind, or the initial field.
+  void restart();
+  /// Steps until time() is `seconds` rounded to whole steps; does nothing where that lies behind. `cancelled`
+  /// is asked before each step; where it says yes, stops there and returns false.
+  bool runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
+
+  [[nodiscard]] double time() const { return m_seconds; }  ///< simulated, s
   [[nodiscard]] long steps() const { return m_steps; }
 
-  /// Wind at a world position, m/s, bilinear between cell centres, clamped to the field. Reads the field
-  /// back at most once a step.
+  /// Wind at a world position (x, z), m/s, bilinear between cell centres, clamped to the field. Reads the
+  /// field back at most once a step.
   glm::vec2 windAt(glm::vec2 world);
   /// The whole cell-centred field (see WindSolver::readVelocity), read back at most once a step.
   const std::vector<glm::vec2>& velocity();
@@ -51,16 +57,21 @@ class Simulation {
 
  private:
   Simulation() = default;
-  Status build();
+  Status build(const Project& project);
+  void adopt(const Project& project);
 
   Project m_project;
   SimulationOptions m_options;
   std::unique_ptr<WindSolver> m_solver;
   std::unique_ptr<GraphEvaluator> m_graph;
+  std::vector<glm::vec2> m_initial;
   std::vector<glm::vec2> m_cells;
   bool m_cellsFresh = false;
   long m_steps = 0;
-  double m_dt = 0;
+  double m_seconds = 0;
 };
+
+/// Bilinear sample of a cell-centred field at a world position, clamped to its outermost centres.
+glm::vec2 sampleCells(std::span<const glm::vec2> cells, const GridMapping& grid, glm::vec2 world);
 
 }  // namespace windloom

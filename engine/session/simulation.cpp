@@ -1,0 +1,145 @@
+#include "engine/session/simulation.hpp"
+
+#include <cmath>
+
+#include "engine/gpu/context.hpp"
+#include "engine/model/validate.hpp"
+
+namespace windloom {
+namespace {
+
+/// The backend that will run: the caller's choice, else the project's; Auto takes the GPU only where OpenGL is
+/// there and is not a software renderer.
+Result<Backend> chooseBackend(Backend asked, Backend wanted, const gpu::Context* context) {
+  const Backend choice = asked != Backend::Auto ? asked : wanted;
+  if (choice == Backend::Cpu) return Backend::Cpu;
+  if (choice == Backend::Auto) return context != nullptr && !context->info().software ? Backend::Gpu : Backend::Cpu;
+  if (context == nullptr) {
+    return makeError(ErrorKind::Machine, "the GPU backend needs OpenGL 4.5, which is not available here; use --backend cpu");
+  }
+  return Backend::Gpu;
+}
+
+bool sameGrid(const FieldSettings& a, const FieldSettings& b) {
+  return a.centre == b.centre && a.size == b.size && a.resolution == b.resolution && a.xMin == b.xMin &&
+         a.xMax == b.xMax && a.zMin == b.zMin && a.zMax == b.zMax;
+}
+
+WindSetup setupOf(const Project& project, const SimulationOptions& options) {
+  WindSetup setup{*project.field, *project.solver, *project.ambient, *project.obstacles};
+  if (options.resolution) setup.field.resolution = *options.resolution;
+  return setup;
+}
+
+Status requireValid(const Project& project) {
+  if (std::vector<Problem> problems = validate(project); !problems.empty()) {
+    return Error{ErrorKind::BadInput, std::move(problems)};
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Simulation>> Simulation::create(const Project& project, const SimulationOptions& options) {
+  if (Status valid = requireValid(project); !valid) return valid.error();
+  std::unique_ptr<Simulation> simulation(new Simulation);
+  simulation->m_options = options;
+  if (Status built = simulation->build(project); !built) return built.error();
+  simulation->adopt(project);
+  return simulation;
+}
+
+Status Simulation::build(const Project& project) {
+  const Result<Backend> backend = chooseBackend(m_options.backend, project.solver->backend, m_options.context);
+  if (!backend) return backend.error();
+  const WindSetup setup = setupOf(project, m_options);
+  Result<std::unique_ptr<WindSolver>> solver = *backend == Backend::Gpu
+                                                   ? makeGpuWindSolver(setup, *m_options.context, *m_options.shaders)
+                                                   : makeCpuWindSolver(setup, m_options.threads);
+  if (!solver) return solver.error();
+  m_solver = std::move(*solver);
+  m_seconds = 0;
+  m_steps = 0;
+  return Done{};
+}
+
+void Simulation::adopt(const Project& project) {
+  if (!m_graph || project.graph != m_project.graph) m_graph = std::make_unique<GraphEvaluator>(*project.graph);
+  m_project = project;
+  m_cellsFresh = false;
+}
+
+Status Simulation::setProject(const Project& project) {
+  if (project.sameAs(m_project)) return Done{};
+  if (Status valid = requireValid(project); !valid) return valid;
+  const bool rebuild = !sameGrid(*project.field, *m_project.field) || project.solver->backend != m_project.solver->backend;
+  if (rebuild) {
+    if (Status built = build(project); !built) return built;
+  } else if (project.field != m_project.field || project.solver != m_project.solver ||
+             project.ambient != m_project.ambient || project.obstacles != m_project.obstacles) {
+    m_solver->configure(setupOf(project, m_options));
+  }
+  adopt(project);
+  return Done{};
+}
+
+Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells) {
+  const glm::ivec2 expected = m_solver->grid().resolution;
+  if (resolution != expected) {
+    return makeError(ErrorKind::BadInput, "the initial field has " + std::to_string(resolution.x) + " x " +
+                                              std::to_string(resolution.y) + " cells, expected " +
+                                              std::to_string(expected.x) + " x " + std::to_string(expected.y));
+  }
+  if (Status set = m_solver->setVelocity(cells); !set) return set;
+  m_initial.assign(cells.begin(), cells.end());
+  m_cellsFresh = false;
+  return Done{};
+}
+
+void Simulation::step() {
+  m_solver->step(m_graph->forcesAt(m_seconds), m_seconds);
+  ++m_steps;
+  m_seconds += static_cast<double>(m_project.field->timeStep);
+  m_cellsFresh = false;
+}
+
+void Simulation::restart() {
+  m_solver->reset();
+  if (static_cast<int>(m_initial.size()) == m_solver->grid().resolution.x * m_solver->grid().resolution.y) {
+    const Status set = m_solver->setVelocity(m_initial);
+    WL_REQUIRE(set.ok(), "an initial field that was taken once is taken again");
+  }
+  m_steps = 0;
+  m_seconds = 0;
+  m_cellsFresh = false;
+}
+
+bool Simulation::runTo(double seconds, const std::function<bool(double time)>& cancelled) {
+  // Half a step of slack, so that a time that is a whole number of steps takes exactly that number.
+  while (m_seconds + 0.5 * static_cast<double>(m_project.field->timeStep) <= seconds) {
+    if (cancelled && cancelled(m_seconds)) return false;
+    step();
+  }
+  return true;
+}
+
+const std::vector<glm::vec2>& Simulation::velocity() {
+  if (!m_cellsFresh) m_solver->readVelocity(m_cells);
+  m_cellsFresh = true;
+  return m_cells;
+}
+
+glm::vec2 Simulation::windAt(glm::vec2 world) { return sampleCells(velocity(), m_solver->grid(), world); }
+
+glm::vec2 sampleCells(std::span<const glm::vec2> cells, const GridMapping& grid, glm::vec2 world) {
+  const glm::vec2 last(grid.resolution - 1);
+  const glm::vec2 at = glm::clamp(worldToCell(world, grid.minCorner, grid.cellSize), glm::vec2(0), last);
+  const glm::ivec2 low = glm::min(glm::ivec2(at), glm::max(grid.resolution - 2, glm::ivec2(0)));
+  const glm::ivec2 high = glm::min(low + 1, grid.resolution - 1);
+  const glm::vec2 f = at - glm::vec2(low);
+  const auto cell = [&](int i, int k) { return cells[static_cast<std::size_t>(k) * grid.resolution.x + i]; };
+  return glm::mix(glm::mix(cell(low.x, low.y), cell(high.x, low.y), f.x),
+                  glm::mix(cell(low.x, high.y), cell(high.x, high.y), f.x), f.y);
+}
+
+}  // namespace windloom
