@@ -49,18 +49,22 @@ class [[nodiscard]] Result {
   explicit operator bool() const { return ok(); }
 
   /// The value; calling it on a failure is a broken promise.
-  T& value() & { requireOk(); return *std::get_if<0>(&m_state); }
-  const T& value() const& { requireOk(); return *std::get_if<0>(&m_state); }
-  T&& value() && { requireOk(); return std::move(*std::get_if<0>(&m_state)); }
+  T& value() & { return *required(std::get_if<0>(&m_state)); }
+  const T& value() const& { return *required(std::get_if<0>(&m_state)); }
+  T&& value() && { return std::move(*required(std::get_if<0>(&m_state))); }
   T& operator*() & { return value(); }
   const T& operator*() const& { return value(); }
   T* operator->() { return &value(); }
   const T* operator->() const { return &value(); }
 
-  [[nodiscard]] const Error& error() const { WL_REQUIRE(!ok(), "error() of a success"); return *std::get_if<1>(&m_state); }
+  [[nodiscard]] const Error& error() const { return *required(std::get_if<1>(&m_state)); }
 
  private:
-  void requireOk() const { WL_REQUIRE(ok(), "value() of a failure"); }
+  template <class U>
+  static U* required(U* held) {
+    WL_REQUIRE(held != nullptr, "value() of a failure, or error() of a success");
+    return held;
+  }
   std::variant<T, Error> m_state;
 };
 
