@@ -1,0 +1,38 @@
+#pragma once
+// A file written piece by piece that appears under its name only when it is whole. For bytes that are
+// all in memory see engine/core/file.hpp.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "engine/core/result.hpp"
+
+namespace windloom {
+
+class AtomicFile {
+ public:
+  /// Opens a temporary file in the folder of `path`, which must exist. Fails with Machine.
+  static Result<AtomicFile> create(const std::filesystem::path& path);
+  /// Without finish(), nothing stays on disk.
+  ~AtomicFile();
+  AtomicFile(AtomicFile&& other) noexcept;
+  AtomicFile& operator=(AtomicFile&& other) noexcept;
+
+  /// Appends. Fails with Machine (disk full); the file is then given up and later calls fail too.
+  Status write(std::string_view bytes);
+
+  /// Syncs the file and renames it over `path`. Fails with Machine, leaving an older file as it was.
+  Status finish();
+
+ private:
+  AtomicFile() = default;
+  void abandon();
+  [[nodiscard]] Error failure(int code) const;
+
+  std::filesystem::path m_path;
+  std::string m_temporary;
+  int m_descriptor = -1;
+};
+
+}  // namespace windloom
