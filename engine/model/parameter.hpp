@@ -3,6 +3,7 @@
 // check, the JSON Schema, the command line and docs/parameters.md. The default is the value of a
 // default-constructed owner.
 
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
@@ -11,7 +12,14 @@
 
 namespace windloom {
 
+// GCC 12 takes the scoped enumerator Id for a shadow of windloom::Id.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"
 enum class ParameterType { Real, Integer, Switch, Choice, Real2, Real3, Integer2, Text, Id };
+#pragma GCC diagnostic pop
+
+/// Longest name, in bytes.
+inline constexpr std::size_t kMaxTextBytes = 256;
 
 /// A parameter's value, independent of who owns it. Choice and Id travel as int.
 using ParameterValue = std::variant<float, int, bool, glm::vec2, glm::vec3, glm::ivec2, std::string>;
@@ -40,11 +48,11 @@ struct Parameter {
 template <class Owner>
 std::span<const Parameter<Owner>> parametersOf();
 
-/// Where `value` is outside the described range, not finite, or no legal choice: what was expected,
-/// e.g. "expected a number from 0 to 100 (m/s)". Empty where it is legal.
+/// Where `value` is outside the described range, not finite, or no legal choice: what was found and
+/// expected, e.g. "found -3, expected a number from 0 to 100 (m/s)". Empty where it is legal.
 std::string parameterProblem(const ParameterInfo& info, const ParameterValue& value);
 
-/// "number from 0 to 100 (m/s)", "one of speed, force", "true or false" ...
+/// "a number from 0 to 100 (m/s)", "one of speed, force", "true or false" ...
 std::string parameterExpectation(const ParameterInfo& info);
 
 // Makers, used by parameters.cpp: real<&Arrow::strength>("strength", ...).

@@ -1,0 +1,71 @@
+#pragma once
+// New, open, save, save as and quit with their questions, as a small state machine. The app looks at
+// prompt() each frame, shows the matching dialog and calls the matching answer.
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "editor/core/document.hpp"
+
+namespace windloom::editor {
+
+enum class Prompt {
+  None,
+  SaveChanges,       ///< "Save changes to NAME?": answerSaveChanges
+  ChooseOpenPath,    ///< a file to open: answerPath
+  ChooseSavePath,    ///< where to save: answerPath
+  ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
+};
+enum class SaveAnswer { Save, DontSave, Cancel };
+
+class DocumentFlow {
+ public:
+  explicit DocumentFlow(Document& document) : m_document(document) {}
+
+  // Requests. A request while another is pending replaces it.
+  void requestNew(Project start = {});  ///< `start`: a template
+  void requestOpen();                   ///< asks for the path
+  void requestOpen(std::filesystem::path path);  ///< recent file, drop, command line
+  void requestSave();                   ///< asks for a path where there is none
+  void requestSaveAs();
+  void requestQuit();
+
+  [[nodiscard]] Prompt prompt() const { return m_prompt; }
+  [[nodiscard]] const std::filesystem::path& pendingPath() const { return m_path; }
+  void answerSaveChanges(SaveAnswer answer);
+  /// Adds ".wind.json" to a save path without an extension.
+  void answerPath(std::filesystem::path path);
+  void answerOverwrite(bool overwrite);  ///< false: asks for another path
+  void cancel();                         ///< from any prompt; nothing happens
+
+  /// A confirmed quit: the app may close its window.
+  [[nodiscard]] bool quitConfirmed() const { return m_quit; }
+
+  /// Called after each finished operation: an Error to show, or a line such as "Saved meadow.wind.json".
+  std::function<void(const Error&)> onFailure;
+  std::function<void(const std::string&)> onDone;
+  /// Called after another project was opened or started (selection, camera, recent files follow).
+  std::function<void()> onReplaced;
+  /// Called after a file was opened or written.
+  std::function<void(const std::filesystem::path&)> onFileUsed;
+
+ private:
+  enum class Then { Nothing, New, Open, Quit };
+  void begin(Then then);
+  void proceed();
+  void finishSave(const Status& status);
+  void fail(const Error& error);
+  void saveTo(const std::filesystem::path& path);
+
+  Document& m_document;
+  Prompt m_prompt = Prompt::None;
+  Then m_then = Then::Nothing;
+  std::optional<std::filesystem::path> m_openPath;
+  std::filesystem::path m_path;
+  Project m_start;
+  bool m_quit = false;
+};
+
+}  // namespace windloom::editor

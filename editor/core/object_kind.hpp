@@ -1,0 +1,32 @@
+#pragma once
+// What an id stands for.
+
+#include <optional>
+#include <span>
+
+#include "engine/model/project.hpp"
+
+namespace windloom::editor {
+
+enum class ObjectKind { Point, Arrow, Obstacle, Probe, Camera };
+
+/// Nothing where the project has no such id.
+std::optional<ObjectKind> kindOf(const Project& project, Id id);
+const char* kindLabel(ObjectKind kind);  ///< "Point", "Arrow", ...
+
+/// The record with this id, or null.
+const Obstacle* findObstacle(const Project& project, Id id);
+const Probe* findProbe(const Project& project, Id id);
+const Camera* findCamera(const Project& project, Id id);
+
+/// Points carry no flags of their own: a point is hidden (locked) where it has arrows and all of them are.
+bool isHidden(const Project& project, Id id);
+bool isLocked(const Project& project, Id id);
+
+/// Ground bounds of the ids (arrows: both ends; obstacles: their extent). Nothing for no ids.
+struct GroundBounds {
+  glm::vec2 low{0.0f}, high{0.0f};
+};
+std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id> ids);
+
+}  // namespace windloom::editor

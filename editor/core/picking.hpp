@@ -1,0 +1,40 @@
+#pragma once
+// What lies under the pointer, in screen space.
+
+#include <vector>
+
+#include "editor/core/camera_control.hpp"
+#include "editor/core/object_kind.hpp"
+#include "engine/model/project.hpp"
+
+namespace windloom::editor {
+
+inline constexpr float kHitRadiusPx = 10.0f;
+
+struct Hit {
+  ObjectKind kind = ObjectKind::Point;
+  Id id = 0;
+  float distancePx = 0;  ///< from the pointer to the handle; 0 inside an obstacle
+  bool inside = false;   ///< inside an obstacle's outline, not near it: comes after every other hit
+  float along = 0;       ///< arrows: place between start (0) and end (1)
+};
+
+struct PickOptions {
+  float radiusPx = kHitRadiusPx;  ///< times the interface scale
+  bool points = true, arrows = true, obstacles = true, probes = true;
+  Id ignore = 0;                  ///< never hit (the point being dragged)
+};
+
+/// All hits: points and probes first, then arrows, then obstacles' outlines, then their insides; within a
+/// kind the nearest first, then the lower id. Hidden and locked things are not hit.
+std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 pixel,
+                      const PickOptions& options = {});
+
+/// The hit after `current` in the list (cycling), the first where `current` isn't in it; 0 for no hits.
+Id cycleHit(const std::vector<Hit>& hits, Id current);
+
+/// Everything with its handle (points, probes, obstacle centres; arrows with both ends) inside the rectangle.
+std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 cornerA,
+                        glm::vec2 cornerB);
+
+}  // namespace windloom::editor

@@ -1,0 +1,100 @@
+#pragma once
+// Everything the editor is without its window: the app owns one, feeds it events and draws what it says.
+
+#include <functional>
+#include <string>
+
+#include "editor/core/actions.hpp"
+#include "editor/core/camera_control.hpp"
+#include "editor/core/document.hpp"
+#include "editor/core/document_flow.hpp"
+#include "editor/core/navigation.hpp"
+#include "editor/core/preferences.hpp"
+#include "editor/core/selection.hpp"
+#include "editor/core/tool_box.hpp"
+
+namespace windloom::editor {
+
+enum class MessageKind { Info, Warning, Error };
+struct Message {
+  MessageKind kind = MessageKind::Info;
+  std::string text;
+};
+
+class Workspace {
+ public:
+  Workspace();
+  Workspace(const Workspace&) = delete;
+  Workspace& operator=(const Workspace&) = delete;
+
+  Document document;
+  Selection selection;
+  EditorCamera camera;
+  Navigator navigator;
+  ToolBox tools;
+  ToolSettings toolSettings;
+  ActionTable actions;  ///< core actions are in it; the app adds its own
+  DocumentFlow flow{document};
+  Preferences preferences;
+  Ground ground;
+  glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
+
+  /// The system's clipboard; the app sets both. Without them copy and paste stay inside the editor.
+  std::function<void(const std::string&)> writeClipboard;
+  std::function<std::string()> readClipboard;
+
+  // Events of the viewport, in its pixels. Each is true where it was used. Give the viewport only what no panel
+  // or text field has taken.
+  bool pointerPressed(const PointerEvent& pointer);
+  bool pointerMoved(const PointerEvent& pointer);  ///< with or without a button
+  bool pointerReleased(const PointerEvent& pointer);
+  bool wheel(float notches, const PointerEvent& pointer);
+  void pointerLeft();  ///< no hover any more
+  /// Drag and tool first, then flying, then the actions' shortcuts. Never call it while a text field has the focus.
+  bool keyPressed(const KeyPress& press);
+  void keyReleased(Key key);
+  void focusLost();
+  /// Once a frame: flying.
+  void tick(double seconds, Modifiers held);
+
+  /// The one way panels change the project: applies, tells refusals in the status line. True where applied.
+  bool apply(const Edit& edit);
+  bool apply(const Result<Edit>& edit);
+  void undo();
+  void redo();
+  void jumpTo(std::size_t historyEntry);
+  void activateTool(std::string_view id);
+
+  void say(MessageKind kind, std::string text);
+  [[nodiscard]] const Message& message() const { return m_message; }
+  /// Grows with each message, so that the status bar can fade it.
+  [[nodiscard]] std::uint64_t messageNumber() const { return m_messageNumber; }
+
+  [[nodiscard]] ToolContext context();
+  [[nodiscard]] ViewMapping view() const { return ViewMapping(camera, viewportSize); }
+  /// Where the pointer was last in the viewport.
+  [[nodiscard]] glm::vec2 pointer() const { return m_pointer; }
+  /// Shows the ids, or everything that the project has and else its field.
+  void frame(std::span<const Id> ids);
+
+ private:
+  friend void registerCoreActions(Workspace& workspace);
+  void takeToolMessage();
+  void afterChange();
+
+  Message m_message;
+  std::uint64_t m_messageNumber = 0;
+  glm::vec2 m_pointer{0.0f};
+  std::string m_clipboard;
+};
+
+/// Adds file, edit, select, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
+/// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
+/// edit.duplicate edit.delete; select.all select.none select.invert select.linked; graph.extrude graph.merge
+/// graph.split graph.reverse graph.reparent graph.mute graph.hide graph.show_all graph.isolate graph.lock
+/// graph.strength_up graph.strength_down graph.radius_up graph.radius_down; tool.select tool.move tool.rotate
+/// tool.scale tool.draw tool.obstacle tool.probe tool.delete tool.cancel; view.frame view.frame_all view.top
+/// view.front view.side view.orthographic; snap.grid snap.angle snap.points.
+void registerCoreActions(Workspace& workspace);
+
+}  // namespace windloom::editor
