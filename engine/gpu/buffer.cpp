@@ -1,0 +1,49 @@
+#include "engine/gpu/buffer.hpp"
+
+#include "engine/gpu/object_label.hpp"
+
+namespace windloom::gpu {
+
+Result<Buffer> Buffer::create(std::string_view label, std::size_t bytes, BufferUse use, const void* data) {
+  WL_REQUIRE(bytes > 0, "a buffer holds something");
+  Buffer buffer;
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  buffer.m_handle = Handle<BufferKind>(name);
+  buffer.m_bytes = bytes;
+  buffer.m_use = use;
+  labelObject(BufferKind::kLabel, name, label);
+  forgetErrors();
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data, use == BufferUse::Dynamic ? GL_DYNAMIC_STORAGE_BIT : 0);
+  if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
+    return makeError(ErrorKind::Machine, "OpenGL has no memory for the buffer '" + std::string(label) + "' of " +
+                                             std::to_string(bytes) + " bytes");
+  }
+  if (data == nullptr) buffer.clear();
+  return buffer;
+}
+
+void Buffer::write(const void* data, std::size_t bytes, std::size_t offset) {
+  WL_REQUIRE(m_use == BufferUse::Dynamic, "only a dynamic buffer is written from the CPU");
+  WL_REQUIRE(offset + bytes <= m_bytes, "the write lies inside the buffer");
+  if (bytes > 0) glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
+void Buffer::clear() {
+  if (m_bytes % 4 == 0) {
+    glClearNamedBufferData(name(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, nullptr);
+  } else {
+    glClearNamedBufferData(name(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+  }
+}
+
+void Buffer::read(void* data, std::size_t bytes, std::size_t offset) const {
+  WL_REQUIRE(offset + bytes <= m_bytes, "the read lies inside the buffer");
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+}
+
+void Buffer::bindStorage(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
+void Buffer::bindUniform(unsigned binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name()); }
+
+}  // namespace windloom::gpu

@@ -1,0 +1,60 @@
+#include "engine/gpu/context.hpp"
+
+#include <epoxy/gl.h>
+
+#include <string_view>
+
+#include "engine/core/log.hpp"
+#include "engine/gpu/context_info.hpp"
+
+namespace windloom::gpu {
+namespace {
+
+std::string glText(GLenum what) {
+  const auto* text = reinterpret_cast<const char*>(glGetString(what));
+  return text == nullptr ? "unknown" : text;
+}
+
+class AdoptedContext final : public Context {
+ public:
+  AdoptedContext() { attach("window"); }
+  void makeCurrent() override {}
+};
+
+}  // namespace
+
+bool isSoftwareRenderer(std::string_view renderer) {
+  for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer", "swrast"}) {
+    if (renderer.find(name) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+std::string describeVersion() { return glText(GL_RENDERER) + ", OpenGL " + glText(GL_VERSION); }
+
+// The callback's last argument is the context's DebugLog: the heap object stays where it is.
+void Context::attach(std::string platform) {
+  m_info = {glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), std::move(platform), false};
+  m_info.software = isSoftwareRenderer(m_info.renderer);
+  glEnable(GL_DEBUG_OUTPUT);
+  const auto report = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
+                         const void* user) {
+    if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
+    auto* log = static_cast<DebugLog*>(const_cast<void*>(user));
+    log->last = length >= 0 ? std::string(message, static_cast<std::size_t>(length)) : std::string(message);
+    ++log->errors;
+    logError("OpenGL: " + log->last);
+  };
+  glDebugMessageCallback(report, m_debug.get());
+  glDebugMessageControl(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_PUSH_GROUP, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+  glDebugMessageControl(GL_DEBUG_SOURCE_APPLICATION, GL_DEBUG_TYPE_POP_GROUP, GL_DONT_CARE, 0, nullptr, GL_FALSE);
+}
+
+Result<std::unique_ptr<Context>> adoptCurrentContext() {
+  if (epoxy_gl_version() < 45 || !epoxy_is_desktop_gl()) {
+    return makeError(ErrorKind::Machine, "found " + describeVersion() + "; OpenGL 4.5 is needed");
+  }
+  return std::unique_ptr<Context>(std::make_unique<AdoptedContext>());
+}
+
+}  // namespace windloom::gpu
