@@ -24,7 +24,8 @@ class GraphEvaluator {
   explicit GraphEvaluator(const WindGraph& graph);
 
   /// The arrows that blow at time t (s, >= 0), in the order of the graph; muted ones and those whose
-  /// signal is zero are left out. `strength` and `swirl` have the signal's factor applied.
+  /// signal is zero are left out. A muted arrow still passes the signal on. `strength` and `swirl` have
+  /// the signal's factor applied.
   [[nodiscard]] std::vector<ArrowForce> forcesAt(double t) const;
 
   /// The signal's factor on the arrow with this index in the graph at time t.
@@ -35,16 +36,19 @@ class GraphEvaluator {
 
  private:
   struct Driven {
-    ArrowForce full;    // at factor 1
-    Signal signal;      // of the root that reaches it first
-    double reached = 0; // s: arrival at its start point
-    bool blows = false; // not muted and reached
+    ArrowForce full{};       // at factor 1
+    std::size_t signal = 0;  // in m_signals: of the root that reaches it first
+    double reached = 0;      // s: arrival at its start point
+    bool blows = false;      // not muted and reached
   };
+  std::vector<Signal> m_signals;  // the first is the default
   std::vector<Arrival> m_arrivals;
   std::vector<Driven> m_arrows;
 };
 
-/// A signal's factor at `t` seconds after its root began (before `delay`: 0).
+/// A signal's factor at `t` seconds after its root began (before `delay`: 0). Continuous in time; 0..1,
+/// for a curve up to kMaxSignalKeyValue. A curve without keys is 1 throughout; one that loops also joins
+/// its last key to its first.
 float signalAt(const Signal& signal, double t);
 
 /// The ambient wind without gusts, m/s.

@@ -1,0 +1,213 @@
+#include "engine/model/edit.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "engine/model/validate.hpp"
+
+namespace windloom {
+namespace {
+
+template <class Record>
+Id keyOf(const Record& record) {
+  return record.id;
+}
+Id keyOf(const Signal& signal) {
+  return signal.root;
+}
+
+/// A list of records under edit, with its ids looked up by hash: built once per edit, on first use.
+template <class Record>
+class Draft {
+ public:
+  explicit Draft(std::vector<Record> records) : m_records(std::move(records)) {}
+
+  void put(const Record& record) {
+    indexAll();
+    const auto [place, fresh] = m_index.emplace(keyOf(record), m_records.size());
+    if (fresh) {
+      m_records.push_back(record);
+    } else {
+      m_records[place->second] = record;
+    }
+  }
+
+  template <class Predicate>
+  void erase(Predicate&& goes) {
+    if (std::erase_if(m_records, goes) > 0) m_indexed = false;
+  }
+
+  [[nodiscard]] std::vector<Record> take() { return std::move(m_records); }
+
+ private:
+  void indexAll() {
+    if (m_indexed) return;
+    m_index.clear();
+    m_index.reserve(m_records.size() + 1);
+    for (std::size_t i = 0; i < m_records.size(); ++i) m_index.emplace(keyOf(m_records[i]), i);
+    m_indexed = true;
+  }
+
+  std::vector<Record> m_records;
+  std::unordered_map<Id, std::size_t> m_index;
+  bool m_indexed = false;
+};
+
+/// A project under edit. A part is copied when a step first touches it; the others stay shared.
+class Editing {
+ public:
+  explicit Editing(const Project& project) : m_project(project) {}
+
+  void operator()(const Put<Point>& step) { list(m_points, m_project.graph->points).put(step.record); }
+  void operator()(const Put<Arrow>& step) { list(m_arrows, m_project.graph->arrows).put(step.record); }
+  void operator()(const Put<Signal>& step) { list(m_signals, m_project.graph->signals).put(step.record); }
+  void operator()(const Put<Obstacle>& step) { list(m_obstacles, *m_project.obstacles).put(step.record); }
+  void operator()(const Put<Probe>& step) { list(m_probes, *m_project.probes).put(step.record); }
+  void operator()(const Put<Camera>& step) { list(m_cameras, *m_project.cameras).put(step.record); }
+  void operator()(const SetName& step) { m_project.name = step.name; }
+  void operator()(const Set<FieldSettings>& step) { set(m_project.field, step.part); }
+  void operator()(const Set<SolverSettings>& step) { set(m_project.solver, step.part); }
+  void operator()(const Set<AmbientWind>& step) { set(m_project.ambient, step.part); }
+  void operator()(const Set<TerrainSettings>& step) { set(m_project.terrain, step.part); }
+  void operator()(const Set<GrassSettings>& step) { set(m_project.grass, step.part); }
+
+  void operator()(const EraseSignal& step) {
+    erase(m_signals, m_project.graph->signals, [&](const Signal& signal) { return signal.root == step.root; });
+  }
+
+  void operator()(const Erase& step) {
+    const std::unordered_set<Id> ids(step.ids.begin(), step.ids.end());
+    const auto named = [&](const auto& record) { return ids.contains(record.id); };
+    erase(m_points, m_project.graph->points, named);
+    erase(m_arrows, m_project.graph->arrows,
+          [&](const Arrow& a) { return ids.contains(a.id) || ids.contains(a.from) || ids.contains(a.to); });
+    erase(m_signals, m_project.graph->signals, [&](const Signal& signal) { return ids.contains(signal.root); });
+    erase(m_obstacles, *m_project.obstacles, named);
+    erase(m_probes, *m_project.probes, named);
+    erase(m_cameras, *m_project.cameras, named);
+  }
+
+  Project finish() {
+    if (m_points || m_arrows || m_signals) {
+      auto graph = std::make_shared<WindGraph>();
+      graph->points = m_points ? m_points->take() : m_project.graph->points;
+      graph->arrows = m_arrows ? m_arrows->take() : m_project.graph->arrows;
+      graph->signals = m_signals ? m_signals->take() : m_project.graph->signals;
+      graph->extra = m_project.graph->extra;
+      m_project.graph = std::move(graph);
+    }
+    share(m_obstacles, m_project.obstacles);
+    share(m_probes, m_project.probes);
+    share(m_cameras, m_project.cameras);
+    return std::move(m_project);
+  }
+
+ private:
+  template <class Record>
+  using List = std::optional<Draft<Record>>;
+
+  template <class Record>
+  static Draft<Record>& list(List<Record>& draft, const std::vector<Record>& part) {
+    return draft ? *draft : draft.emplace(part);
+  }
+  /// Leaves a part shared where nothing in it goes.
+  template <class Record, class Predicate>
+  static void erase(List<Record>& draft, const std::vector<Record>& part, Predicate&& goes) {
+    if (!draft && std::ranges::none_of(part, goes)) return;
+    list(draft, part).erase(goes);
+  }
+  template <class Record>
+  static void share(List<Record>& draft, Shared<std::vector<Record>>& part) {
+    if (draft) part = std::make_shared<std::vector<Record>>(draft->take());
+  }
+  template <class Part>
+  static void set(Shared<Part>& part, const Part& value) {
+    part = std::make_shared<Part>(value);
+  }
+
+  Project m_project;
+  List<Point> m_points;
+  List<Arrow> m_arrows;
+  List<Signal> m_signals;
+  List<Obstacle> m_obstacles;
+  List<Probe> m_probes;
+  List<Camera> m_cameras;
+};
+
+/// An arrow that blows as `model` does; who it is and how it is shown are its own.
+Arrow arrowLike(const Arrow& model, Id id, Id from, Id to) {
+  Arrow arrow = model;
+  arrow.id = id;
+  arrow.from = from;
+  arrow.to = to;
+  arrow.name.clear();
+  arrow.extra.clear();
+  arrow.hidden = arrow.muted = arrow.locked = false;
+  return arrow;
+}
+
+Point pointAt(Id id, glm::vec2 position) {
+  Point point;
+  point.id = id;
+  point.position = position;
+  return point;
+}
+
+}  // namespace
+
+Result<Project> applyEdit(const Project& project, const Edit& edit) {
+  Editing editing(project);
+  for (const EditStep& step : edit.steps) std::visit(editing, step);
+  Project result = editing.finish();
+  std::vector<Problem> problems = validateChange(result, project);
+  if (!problems.empty()) return Error{ErrorKind::BadInput, std::move(problems)};
+  return result;
+}
+
+Edit moveEdit(const Project& project, std::span<const Id> ids, glm::vec2 delta) {
+  const std::unordered_set<Id> moved(ids.begin(), ids.end());
+  Edit edit{.label = moved.size() == 1 ? "Move" : "Move " + std::to_string(moved.size()) + " things",
+            .steps = {},
+            .mergeKey = {}};
+  const auto move = [&](const auto& records, auto place) {
+    for (const auto& record : records) {
+      if (!moved.contains(record.id)) continue;
+      auto copy = record;
+      copy.*place += delta;
+      edit.steps.emplace_back(Put{std::move(copy)});
+    }
+  };
+  move(project.graph->points, &Point::position);
+  move(*project.obstacles, &Obstacle::centre);
+  move(*project.probes, &Probe::position);
+  return edit;
+}
+
+BranchResult branchEdit(const Project& project, Id from, glm::vec2 position, const Arrow& model) {
+  const Id point = nextFreeId(project);
+  const Id arrow = point + 1;
+  Edit edit{.label = "Draw branch", .steps = {}, .mergeKey = {}};
+  edit.steps.emplace_back(Put<Point>{pointAt(point, position)});
+  edit.steps.emplace_back(Put<Arrow>{arrowLike(model, arrow, from, point)});
+  return {std::move(edit), point, arrow};
+}
+
+TreeResult treeEdit(const Project& project, glm::vec2 start, glm::vec2 end, const Arrow& model) {
+  const Id root = nextFreeId(project);
+  Edit edit{.label = "Draw tree", .steps = {}, .mergeKey = {}};
+  edit.steps.emplace_back(Put<Point>{pointAt(root, start)});
+  edit.steps.emplace_back(Put<Point>{pointAt(root + 1, end)});
+  edit.steps.emplace_back(Put<Arrow>{arrowLike(model, root + 2, root, root + 1)});
+  return {std::move(edit), root, root + 1, root + 2};
+}
+
+Edit eraseEdit(std::vector<Id> ids) {
+  std::string label = ids.size() == 1 ? "Delete" : "Delete " + std::to_string(ids.size()) + " things";
+  Edit edit{.label = std::move(label), .steps = {}, .mergeKey = {}};
+  edit.steps.emplace_back(Erase{std::move(ids)});
+  return edit;
+}
+
+}  // namespace windloom
