@@ -37,8 +37,10 @@ void Context::attach(std::string platform) {
   m_info = {glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), std::move(platform), false};
   m_info.software = isSoftwareRenderer(m_info.renderer);
   glEnable(GL_DEBUG_OUTPUT);
-  const auto report = [](GLenum, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
+  // The shader compiler's messages come back as a Result from ShaderLibrary.
+  const auto report = [](GLenum source, GLenum type, GLuint, GLenum severity, GLsizei length, const GLchar* message,
                          const void* user) {
+    if (source == GL_DEBUG_SOURCE_SHADER_COMPILER) return;
     if (type != GL_DEBUG_TYPE_ERROR && severity != GL_DEBUG_SEVERITY_HIGH) return;
     auto* log = static_cast<DebugLog*>(const_cast<void*>(user));
     log->last = length >= 0 ? std::string(message, static_cast<std::size_t>(length)) : std::string(message);

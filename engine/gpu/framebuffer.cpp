@@ -27,6 +27,13 @@ int limitSamples(int wanted) {
   return std::clamp(wanted, 1, std::max(1, std::min({limit, colourLimit, depthLimit})));
 }
 
+/// Clears and blits obey the scissor and masks of whatever pass came before.
+void openScissorAndMasks() {
+  glDisable(GL_SCISSOR_TEST);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glDepthMask(GL_TRUE);
+}
+
 }  // namespace
 
 Result<Framebuffer> Framebuffer::create(std::string_view label, glm::ivec2 size, const FramebufferOptions& options) {
@@ -56,16 +63,25 @@ Result<Framebuffer> Framebuffer::create(std::string_view label, glm::ivec2 size,
   return target;
 }
 
-void Framebuffer::clearColour(glm::vec4 value) const { glClearNamedFramebufferfv(name(), GL_COLOR, 0, &value.x); }
-void Framebuffer::clearDepth(float value) const { glClearNamedFramebufferfv(name(), GL_DEPTH, 0, &value); }
+void Framebuffer::clearColour(glm::vec4 value) const {
+  openScissorAndMasks();
+  glClearNamedFramebufferfv(name(), GL_COLOR, 0, &value.x);
+}
+
+void Framebuffer::clearDepth(float value) const {
+  openScissorAndMasks();
+  glClearNamedFramebufferfv(name(), GL_DEPTH, 0, &value);
+}
 
 void Framebuffer::resolveColour(GLuint target, glm::ivec2 origin) const {
+  openScissorAndMasks();
   glBlitNamedFramebuffer(name(), target, 0, 0, m_size.x, m_size.y, origin.x, origin.y, origin.x + m_size.x, origin.y + m_size.y,
                          GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Framebuffer::resolveTo(const Framebuffer& target) const {
   WL_REQUIRE(target.m_size == m_size, "resolving keeps the size");
+  openScissorAndMasks();
   const bool depth = m_depth.name() != 0 && target.m_depth.name() != 0;
   glBlitNamedFramebuffer(name(), target.name(), 0, 0, m_size.x, m_size.y, 0, 0, m_size.x, m_size.y,
                          GL_COLOR_BUFFER_BIT | (depth ? GL_DEPTH_BUFFER_BIT : 0), GL_NEAREST);

@@ -30,6 +30,7 @@ class Framebuffer {
   [[nodiscard]] const Texture& colour() const { return m_colour; }
   [[nodiscard]] const Texture& depth() const { return m_depth; }
 
+  /// Clears and resolves cover the whole target: they switch the scissor off and the write masks on.
   void clearColour(glm::vec4 value) const;
   void clearDepth(float value) const;
 

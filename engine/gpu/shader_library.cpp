@@ -56,7 +56,7 @@ Result<Handle<ShaderKind>> compile(const ShaderSource& source, GLenum stage, con
   GLint compiled = GL_FALSE;
   glGetShaderiv(shader.name(), GL_COMPILE_STATUS, &compiled);
   if (compiled == GL_TRUE) return shader;
-  return Error{ErrorKind::Machine, problemsOfLog(logOf(shader.name(), glGetShaderiv, glGetShaderInfoLog), source.files)};
+  return Error{ErrorKind::Machine, problemsOfLog(logOf(shader.name(), glGetShaderiv, glGetShaderInfoLog), source)};
 }
 
 }  // namespace

@@ -1,7 +1,7 @@
 #include "engine/gpu/shader_source.hpp"
 
 #include <algorithm>
-#include <charconv>
+#include <cstdlib>
 #include <optional>
 #include <regex>
 
@@ -45,7 +45,6 @@ class Assembler {
     }
     const std::size_t index = m_source.files.size();
     m_source.files.push_back(std::string(kRoot) + file);
-    m_source.paths.push_back(path);
     return addLines(*text, file, index);
   }
 
@@ -57,21 +56,16 @@ class Assembler {
     if (entry && text.substr(0, 8) != "#version") {
       return makeError(ErrorKind::Machine, std::string(kRoot) + file, "line 1", "a shader begins with '#version 450 core'");
     }
-    if (!entry) lineDirective(1, index);
     for (int number = 1; !text.empty(); ++number) {
       const std::size_t end = text.find('\n');
       const std::string_view line = text.substr(0, end);
       text = end == std::string_view::npos ? std::string_view() : text.substr(end + 1);
       if (const auto path = includedPath(line)) {
         if (Status added = include(std::string(*path), file, number); !added) return added;
-        lineDirective(number + 1, index);
         continue;
       }
-      m_source.text.append(line).push_back('\n');
-      if (entry && number == 1) {
-        addDefines();
-        lineDirective(2, 0);
-      }
+      addLine(line, {index, number});
+      if (entry && number == 1) addDefines();
     }
     return Done{};
   }
@@ -91,14 +85,15 @@ class Assembler {
       const std::size_t end = std::min(rest.find(' '), rest.size());
       const std::string_view define = rest.substr(0, end);
       const std::size_t equals = define.find('=');
-      m_source.text.append("#define ").append(define.substr(0, equals)).append(" ");
-      m_source.text.append(equals == std::string_view::npos ? "1" : define.substr(equals + 1)).push_back('\n');
+      const std::string name(define.substr(0, equals));
+      addLine("#define " + name + " " + std::string(equals == std::string_view::npos ? "1" : define.substr(equals + 1)), {0, 1});
       rest = rest.substr(end);
     }
   }
 
-  void lineDirective(int line, std::size_t file) {
-    m_source.text += "#line " + std::to_string(line) + " " + std::to_string(file) + "\n";
+  void addLine(std::string_view line, ShaderSource::Line origin) {
+    m_source.text.append(line).push_back('\n');
+    m_source.lines.push_back(origin);
   }
 
   const fs::path& m_folder;
@@ -116,10 +111,11 @@ Result<ShaderSource> readShaderSource(const fs::path& folder, std::string_view f
   return assembler.take();
 }
 
-std::vector<Problem> problemsOfLog(std::string_view log, const std::vector<std::string>& files) {
-  static const std::regex kMesa(R"(^(\d+):(\d+)\(\d+\):\s*(.*)$)");
-  static const std::regex kNvidia(R"(^(\d+)\((\d+)\)\s*:\s*(.*)$)");
-  static const std::regex kOther(R"(^(?:ERROR|WARNING):\s*(\d+):(\d+):\s*(.*)$)");
+std::vector<Problem> problemsOfLog(std::string_view log, const ShaderSource& source) {
+  const std::string& entry = source.files.front();
+  static const std::regex kMesa(R"(^\d+:(\d+)\(\d+\):\s*(.*)$)");
+  static const std::regex kNvidia(R"(^\d+\((\d+)\)\s*:\s*(.*)$)");
+  static const std::regex kOther(R"(^(?:ERROR|WARNING):\s*\d+:(\d+):\s*(.*)$)");
   std::vector<Problem> problems;
   while (!log.empty()) {
     const std::size_t end = log.find('\n');
@@ -129,15 +125,20 @@ std::vector<Problem> problemsOfLog(std::string_view log, const std::vector<std::
     if (line.empty()) continue;
     std::smatch match;
     if (std::regex_match(line, match, kMesa) || std::regex_match(line, match, kNvidia) || std::regex_match(line, match, kOther)) {
-      const std::size_t file = static_cast<std::size_t>(std::stoul(match[1].str()));
-      problems.push_back({file < files.size() ? files[file] : files.front(), "line " + match[2].str(), match[3].str()});
+      const std::size_t at = static_cast<std::size_t>(std::strtoul(match[1].str().c_str(), nullptr, 10));
+      if (at >= 1 && at <= source.lines.size()) {
+        const ShaderSource::Line origin = source.lines[at - 1];
+        problems.push_back({source.files[origin.file], "line " + std::to_string(origin.number), match[2].str()});
+      } else {
+        problems.push_back({entry, {}, match[2].str()});
+      }
     } else if (!problems.empty()) {
       problems.back().message += " " + line;
     } else {
-      problems.push_back({files.front(), {}, line});
+      problems.push_back({entry, {}, line});
     }
   }
-  if (problems.empty()) problems.push_back({files.front(), {}, "does not compile, and the driver gives no message"});
+  if (problems.empty()) problems.push_back({entry, {}, "does not compile, and the driver gives no message"});
   return problems;
 }
 
