@@ -1,0 +1,74 @@
+#ifndef WINDLOOM_RUNTIME_H
+#define WINDLOOM_RUNTIME_H
+/* Wind baked by Windloom, for games: loads a .windpack and tells the wind at a place and time. Plain C11,
+ * needs the C standard library and nothing else. The file format is described in docs/windpack.md.
+ *
+ * Frame: right-handed, +Y up, metres, m/s; the wind lies in the XZ plane. Between cell centres and between
+ * frames the wind is interpolated linearly. A loaded pack is never changed by sampling, so any number of
+ * threads may sample one pack at the same time. */
+
+#include <stddef.h>
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+typedef struct windloom_pack windloom_pack;
+
+typedef enum windloom_status {
+  WINDLOOM_OK = 0,
+  WINDLOOM_CANNOT_READ,   /* the file is missing or can't be read */
+  WINDLOOM_NOT_A_PACK,    /* it doesn't start as a .windpack does */
+  WINDLOOM_NEWER_VERSION, /* written in a version of the format that this library doesn't know */
+  WINDLOOM_TOO_LARGE,     /* it claims a size over the limits of the format; nothing was allocated */
+  WINDLOOM_CUT_SHORT,     /* shorter or longer than its header says */
+  WINDLOOM_DAMAGED,       /* the checksum is wrong, or a value makes no sense */
+  WINDLOOM_OUT_OF_MEMORY
+} windloom_status;
+
+/* What happens to positions outside the field. */
+typedef enum windloom_edge {
+  WINDLOOM_CLAMP, /* the wind of the nearest border */
+  WINDLOOM_WRAP   /* the field repeats; seamless where it was simulated periodic */
+} windloom_edge;
+
+typedef struct windloom_info {
+  int width, height;          /* cells along x and z */
+  int frames;                 /* >= 1 */
+  float min_x, min_z;         /* m, low corner of the field */
+  float max_x, max_z;         /* m, high corner */
+  float fps;                  /* frames a second, > 0 */
+  float max_speed;            /* m/s, no sample is faster */
+  double start;               /* s: time of frame 0 in the project it was baked from */
+  int loop;                   /* 1: the last frame is followed by the first */
+  windloom_edge edge_x, edge_z;
+} windloom_info;
+
+/* A pack, or NULL with the reason in *status (which may be NULL). Everything is checked before it is
+ * used. The memory given to windloom_load_memory is copied. windloom_free(NULL) does nothing. */
+windloom_pack* windloom_load_file(const char* path, windloom_status* status);
+windloom_pack* windloom_load_memory(const void* bytes, size_t size, windloom_status* status);
+void windloom_free(windloom_pack* pack);
+
+/* One English sentence, never NULL. */
+const char* windloom_status_text(windloom_status status);
+
+windloom_info windloom_get_info(const windloom_pack* pack);
+
+/* Other edges than the file's. Not while another thread samples. */
+void windloom_set_edges(windloom_pack* pack, windloom_edge x, windloom_edge z);
+
+/* The wind in m/s at (x, z) in m, `time` seconds after the first frame. A looping pack repeats every
+ * frames / fps seconds; another one stays at its first frame before and at its last frame after.
+ * Numbers that are not finite are treated as 0. */
+void windloom_sample(const windloom_pack* pack, float x, float z, double time, float velocity[2]);
+
+/* The same for `count` places at one time: positions x0 z0 x1 z1 ... to velocities vx0 vz0 vx1 vz1 ...,
+ * which may be the same array. */
+void windloom_sample_many(const windloom_pack* pack, const float* positions, size_t count, double time,
+                          float* velocities);
+
+#ifdef __cplusplus
+}
+#endif
+#endif

@@ -1,0 +1,40 @@
+#ifndef WINDLOOM_RUNTIME_WINDPACK_FORMAT_H
+#define WINDLOOM_RUNTIME_WINDPACK_FORMAT_H
+/* Layout of a .windpack, version 1, shared by its reader and its writer. docs/windpack.md is the
+ * description for everybody else. All numbers are little-endian. */
+
+#define WINDPACK_MAGIC "WINDPACK" /* 8 bytes, no terminator */
+#define WINDPACK_VERSION 1u
+#define WINDPACK_ENDIAN_MARK 0x01020304u
+#define WINDPACK_HEADER_BYTES 80u
+#define WINDPACK_CHECKSUM_BYTES 4u
+#define WINDPACK_BYTES_PER_CELL 4u /* two half floats */
+
+/* Offsets in the header. */
+#define WINDPACK_AT_VERSION 8u      /* u32 */
+#define WINDPACK_AT_ENDIAN_MARK 12u /* u32 */
+#define WINDPACK_AT_FLAGS 16u       /* u32 */
+#define WINDPACK_AT_WIDTH 20u       /* u32 */
+#define WINDPACK_AT_HEIGHT 24u      /* u32 */
+#define WINDPACK_AT_FRAMES 28u      /* u32 */
+#define WINDPACK_AT_MIN_X 32u       /* f32 */
+#define WINDPACK_AT_MIN_Z 36u       /* f32 */
+#define WINDPACK_AT_MAX_X 40u       /* f32 */
+#define WINDPACK_AT_MAX_Z 44u       /* f32 */
+#define WINDPACK_AT_FPS 48u         /* f32 */
+#define WINDPACK_AT_MAX_SPEED 52u   /* f32 */
+#define WINDPACK_AT_START 56u       /* f64 */
+#define WINDPACK_AT_DATA_BYTES 64u  /* u64 */
+#define WINDPACK_AT_RESERVED 72u    /* u64, 0 */
+
+#define WINDPACK_FLAG_LOOP 1u
+#define WINDPACK_FLAG_WRAP_X 2u
+#define WINDPACK_FLAG_WRAP_Z 4u
+#define WINDPACK_FLAGS_KNOWN 7u
+
+#define WINDPACK_MAX_SIDE 8192u
+#define WINDPACK_MAX_FRAMES 100000u
+#define WINDPACK_MAX_DATA_BYTES (16ull << 30)
+#define WINDPACK_MAX_COORDINATE 1e7f /* m */
+
+#endif
