@@ -12,7 +12,6 @@
 struct windloom_pack {
   windloom_info info;
   float cells_per_m_x, cells_per_m_z;
-  double duration;  /* s, of a loop */
   uint32_t* cells;  /* vx in the low half, vz in the high half; z ascending, frame after frame */
 };
 
@@ -35,21 +34,6 @@ static double read_f64(const unsigned char* at) {
   const uint64_t bits = read_u64(at);
   double value;
   memcpy(&value, &bits, sizeof value);
-  return value;
-}
-
-/* A finite half float. Shifting its bits into place leaves the exponent 112 too low; the multiplication
- * puts that right and is exact for subnormal halves too. */
-static inline float half_to_float(uint32_t half) {
-  const uint32_t bits = (half & 0x7fffu) << 13;
-  const uint32_t sign = (half & 0x8000u) << 16;
-  uint32_t scaled;
-  float value;
-  memcpy(&value, &bits, sizeof value);
-  value *= 5.192296858534828e33f; /* 2^112 */
-  memcpy(&scaled, &value, sizeof scaled);
-  scaled |= sign;
-  memcpy(&value, &scaled, sizeof value);
   return value;
 }
 
@@ -107,7 +91,6 @@ static windloom_pack* make_pack(const windloom_info* info, uint64_t cells) {
   pack->info = *info;
   pack->cells_per_m_x = (float)info->width / (info->max_x - info->min_x);
   pack->cells_per_m_z = (float)info->height / (info->max_z - info->min_z);
-  pack->duration = info->frames / (double)info->fps;
   pack->cells = malloc((size_t)cells * sizeof *pack->cells);
   if (pack->cells == NULL) {
     free(pack);
@@ -241,12 +224,19 @@ typedef struct neighbours {
   float weight;
 } neighbours;
 
+/* As floor(), which is a call into the C library on a machine without an instruction for it. */
+static inline double whole_below(double value) {
+  if (!(value > -9e15 && value < 9e15)) return value;
+  const double cut = (double)(long long)value;
+  return cut > value ? cut - 1.0 : cut;
+}
+
 static inline neighbours along(float at, int count, windloom_edge edge) {
   neighbours n;
   if (edge == WINDLOOM_WRAP) {
     const float size = (float)count;
-    at -= floorf(at / size) * size;
-    if (!(at >= 0.0f && at < size)) at = 0.0f; /* rounding at the seam, or not finite */
+    at -= (float)whole_below((double)(at / size)) * size;
+    if (!(at >= 0.0f && at < size)) at = 0.0f; /* rounding at the seam, or out of all measure */
     n.low = (int)at;
     n.high = n.low + 1 < count ? n.low + 1 : 0;
   } else {
@@ -260,34 +250,35 @@ static inline neighbours along(float at, int count, windloom_edge edge) {
   return n;
 }
 
-static neighbours frames_at(const windloom_pack* pack, double time) {
+static inline neighbours frames_at(const windloom_pack* pack, double time) {
   const int count = pack->info.frames;
-  neighbours n = {0, 0, 0.0f};
+  const double last = pack->info.loop ? count : count - 1;
   if (!isfinite(time)) time = 0.0;
-  if (pack->info.loop) time -= floor(time / pack->duration) * pack->duration;
   double at = time * (double)pack->info.fps;
-  if (!(at > 0.0)) at = 0.0;
   if (pack->info.loop) {
-    if (at >= count) at = 0.0; /* rounding at the seam */
-    n.low = (int)at;
-    n.high = n.low + 1 < count ? n.low + 1 : 0;
-  } else {
-    if (at > count - 1) at = count - 1;
-    n.low = (int)at;
-    n.high = n.low + 1 < count ? n.low + 1 : n.low;
+    at -= whole_below(at / last) * last;
+    if (!(at >= 0.0 && at < last)) at = 0.0; /* rounding at the seam, or out of all measure */
   }
+  if (!(at > 0.0)) at = 0.0;
+  if (at > last) at = last;
+  neighbours n;
+  n.low = (int)at;
+  n.high = n.low + 1;
+  if (n.high >= count) n.high = pack->info.loop ? 0 : n.low;
   n.weight = (float)(at - n.low);
   return n;
 }
 
-static inline void sample_frame(const uint32_t* cells, size_t row_low, size_t row_high, const neighbours* x,
-                                const float weights[4], float v[2]) {
-  const uint32_t c00 = cells[row_low + (size_t)x->low], c10 = cells[row_low + (size_t)x->high];
-  const uint32_t c01 = cells[row_high + (size_t)x->low], c11 = cells[row_high + (size_t)x->high];
-  v[0] = weights[0] * half_to_float(c00) + weights[1] * half_to_float(c10) + weights[2] * half_to_float(c01) +
-         weights[3] * half_to_float(c11);
-  v[1] = weights[0] * half_to_float(c00 >> 16) + weights[1] * half_to_float(c10 >> 16) +
-         weights[2] * half_to_float(c01 >> 16) + weights[3] * half_to_float(c11 >> 16);
+/* The weighted sum of eight finite half floats. Shifting a half's bits into a float's place leaves the
+ * exponent 112 too low; the multiplication puts that right and is exact for subnormal halves too. Written
+ * as loops over eight so that compilers make vector instructions of it. */
+static inline float weighted_sum(const uint32_t halves[8], const float weights[8]) {
+  uint32_t bits[8];
+  float values[8];
+  for (int i = 0; i < 8; ++i) bits[i] = (halves[i] & 0x8000u) << 16 | (halves[i] & 0x7fffu) << 13;
+  memcpy(values, bits, sizeof values);
+  for (int i = 0; i < 8; ++i) values[i] *= 5.192296858534828e33f * weights[i]; /* 2^112 */
+  return ((values[0] + values[4]) + (values[1] + values[5])) + ((values[2] + values[6]) + (values[3] + values[7]));
 }
 
 static inline void sample_between(const windloom_pack* pack, const neighbours* t, float px, float pz, float velocity[2]) {
@@ -296,16 +287,26 @@ static inline void sample_between(const windloom_pack* pack, const neighbours* t
   pz = isfinite(pz) ? pz : 0.0f;
   const neighbours x = along((px - info->min_x) * pack->cells_per_m_x - 0.5f, info->width, info->edge_x);
   const neighbours z = along((pz - info->min_z) * pack->cells_per_m_z - 0.5f, info->height, info->edge_z);
-  const size_t row_low = (size_t)z.low * (size_t)info->width;
-  const size_t row_high = (size_t)z.high * (size_t)info->width;
-  const float weights[4] = {(1.0f - x.weight) * (1.0f - z.weight), x.weight * (1.0f - z.weight),
-                            (1.0f - x.weight) * z.weight, x.weight * z.weight};
   const size_t frame_cells = (size_t)info->width * (size_t)info->height;
-  float low[2], high[2];
-  sample_frame(pack->cells + (size_t)t->low * frame_cells, row_low, row_high, &x, weights, low);
-  sample_frame(pack->cells + (size_t)t->high * frame_cells, row_low, row_high, &x, weights, high);
-  velocity[0] = low[0] + (high[0] - low[0]) * t->weight;
-  velocity[1] = low[1] + (high[1] - low[1]) * t->weight;
+  const uint32_t* rows[4];
+  rows[0] = pack->cells + (size_t)t->low * frame_cells + (size_t)z.low * (size_t)info->width;
+  rows[1] = pack->cells + (size_t)t->low * frame_cells + (size_t)z.high * (size_t)info->width;
+  rows[2] = pack->cells + (size_t)t->high * frame_cells + (size_t)z.low * (size_t)info->width;
+  rows[3] = pack->cells + (size_t)t->high * frame_cells + (size_t)z.high * (size_t)info->width;
+  const float early = 1.0f - t->weight;
+  const float row_weights[4] = {early * (1.0f - z.weight), early * z.weight, t->weight * (1.0f - z.weight),
+                                t->weight * z.weight};
+  uint32_t cells[8], other[8];
+  float weights[8];
+  for (int i = 0; i < 4; ++i) {
+    cells[2 * i] = rows[i][x.low];
+    cells[2 * i + 1] = rows[i][x.high];
+    weights[2 * i] = row_weights[i] * (1.0f - x.weight);
+    weights[2 * i + 1] = row_weights[i] * x.weight;
+  }
+  for (int i = 0; i < 8; ++i) other[i] = cells[i] >> 16;
+  velocity[0] = weighted_sum(cells, weights);
+  velocity[1] = weighted_sum(other, weights);
 }
 
 void windloom_sample(const windloom_pack* pack, float x, float z, double time, float velocity[2]) {
