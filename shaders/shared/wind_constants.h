@@ -1,0 +1,19 @@
+// Constants of the wind solver's discretisation, the same on both backends. Meaning: docs/solver.md.
+#ifndef WINDLOOM_SHARED_WIND_CONSTANTS_H
+#define WINDLOOM_SHARED_WIND_CONSTANTS_H
+
+#define WIND_TILE 16                 // cells per side of a tile of arrows
+#define WIND_MIN_RESPONSE 1e-3f      // s: shorter response times of arrows count as this
+#define WIND_GUST_RESPONSE 0.5f      // s: how fast the air follows the gusts
+#define WIND_GUST_LAYERS 3           // copies of the gust table
+#define WIND_GUST_TABLE 256          // texels per side of the gust table
+#define WIND_CONFINEMENT_LIMIT 0.2f  // largest increment of confinement a step, part of the local speed
+#define WIND_ROUNDING_FLOOR 1e-6f    // residual that single precision can't see past, part of RMS speed times cell size
+#define WIND_VISCOSITY_SWEEPS 64     // most Chebyshev sweeps of the implicit viscosity
+
+// Weights of the pressure smoother: 1 / (1.25 + 0.75 cos(pi (2 m + 1) / 6)), m = 0, 1, 2.
+#define WIND_SMOOTH_0 0.52644905f
+#define WIND_SMOOTH_1 0.8f
+#define WIND_SMOOTH_2 1.66533177f
+
+#endif
