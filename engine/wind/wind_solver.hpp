@@ -3,6 +3,7 @@
 // Equations, discretisation and sources: docs/solver.md.
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -19,13 +20,19 @@ class Context;
 class ShaderLibrary;
 }  // namespace gpu
 
+/// Speeds of wall borders along themselves (along x for zMin and zMax, along z for xMin and xMax), m/s.
+struct WallSpeeds {
+  float xMin = 0, xMax = 0, zMin = 0, zMax = 0;
+};
+
 /// What a solver is built for. A change of `field.size`, `resolution` or `borders`, or of
 /// `solver.backend`, needs a new solver; everything else goes through configure().
 struct WindSetup {
   FieldSettings field;
   SolverSettings solver;
   AmbientWind ambient;
-  std::vector<Obstacle> obstacles;  ///< muted ones are ignored
+  std::vector<Obstacle> obstacles;    ///< muted ones are ignored
+  std::optional<WallSpeeds> noSlip;   ///< wall borders hold the air at these speeds; without it air slips along them
 };
 
 /// What one step did. On the GPU backend these are of a recent finished step: nothing waits for them.

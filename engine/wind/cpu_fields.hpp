@@ -1,0 +1,70 @@
+#pragma once
+// The state of the CPU backend and what its stages share. docs/solver.md names the arrays and the stages.
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "engine/core/thread_pool.hpp"
+#include "engine/wind/arrow_tiles.hpp"
+#include "engine/wind/cpu_plane.hpp"
+#include "engine/wind/gusts.hpp"
+#include "engine/wind/wind_grid.hpp"
+#include "engine/wind/wind_solver.hpp"
+
+namespace windloom {
+
+/// Rows a task works on. Fixed, so that sums over tasks are the same for any number of threads.
+inline constexpr int kRowsPerTask = 16;
+
+/// One staggered vector field.
+struct CpuVelocity {
+  CpuPlane u, w;  // (W + 1) x H and W x (H + 1)
+  CpuVelocity() = default;
+  explicit CpuVelocity(const WindGrid& grid) : u(grid.width + 1, grid.height), w(grid.width, grid.height + 1) {}
+};
+
+/// Entries [begin, end) of row `row`.
+struct CpuRun {
+  int row, begin, end;
+};
+
+/// Runs sorted by row, found by row.
+struct CpuRuns {
+  std::vector<CpuRun> runs;
+  std::vector<int> start;  // rows + 1
+};
+
+struct CpuFields {
+  WindGrid grid;
+  SolverSettings solver;
+  AmbientWind ambientSettings;
+  std::optional<WallSpeeds> noSlip;
+  float dt = 0;
+  glm::vec2 ambient{0};       // without gusts, m/s
+  float gustAmplitude = 0;    // m/s
+  std::vector<glm::vec2> gustTable;
+
+  CpuVelocity velocity;                   // the field that left the last step
+  CpuVelocity forced, moved, corrected;   // q; q', then q*; room for the correction
+  CpuPlane phi;                           // m^2/s
+  CpuPlane speedX, speedZ;                // cell velocity; before the advection also scratch for force increments
+  CpuRuns blockedX, blockedZ;             // faces kept at 0
+  CpuRuns solidNodes;                     // nodes that touch a solid cell: no vorticity there
+
+  [[nodiscard]] int width() const { return grid.width; }
+  [[nodiscard]] int height() const { return grid.height; }
+};
+
+/// Calls body(task, rowBegin, rowEnd) for rows [0, rows) in tasks of kRowsPerTask.
+template <class Body>
+void forRowTasks(ThreadPool& pool, int rows, const Body& body) {
+  const int tasks = (rows + kRowsPerTask - 1) / kRowsPerTask;
+  pool.parallelFor(tasks, [&](int task) {
+    const int begin = task * kRowsPerTask;
+    body(task, begin, begin + kRowsPerTask < rows ? begin + kRowsPerTask : rows);
+  });
+}
+inline int rowTasks(int rows) { return (rows + kRowsPerTask - 1) / kRowsPerTask; }
+
+}  // namespace windloom

@@ -1,0 +1,241 @@
+// The CPU backend: the stages of docs/solver.md in order.
+#include <algorithm>
+#include <bit>
+#include <chrono>
+#include <cmath>
+#include <string>
+
+#include "engine/wind/cpu_advection.hpp"
+#include "engine/wind/cpu_borders.hpp"
+#include "engine/wind/cpu_forces.hpp"
+#include "engine/wind/cpu_multigrid.hpp"
+#include "engine/wind/cpu_projection.hpp"
+#include "engine/wind/cpu_viscosity.hpp"
+#include "engine/wind/initial_field.hpp"
+
+namespace windloom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+double msSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
+
+class CpuWindSolver final : public WindSolver {
+ public:
+  CpuWindSolver(const WindSetup& setup, int threads)
+      : m_pool(threads), m_fields(makeFields(setup)), m_multigrid(m_fields.grid) {
+    findBlocked(m_fields);
+    applySettings(setup);
+    reset();
+  }
+
+  void configure(const WindSetup& setup) override {
+    WindGrid& grid = m_fields.grid;
+    WL_REQUIRE(setup.field.resolution == grid.mapping.resolution && setup.field.size == grid.mapping.size,
+               "another grid needs a new solver");
+    const std::vector<std::uint8_t> old = grid.solid;
+    grid.mapping = makeGridMapping(setup.field.centre, setup.field.size, setup.field.resolution);
+    rasteriseSolids(grid, setup.obstacles);
+    applySettings(setup);
+    if (grid.solid == old) return;
+    findBlocked(m_fields);
+    m_multigrid.rebuild(grid);
+    blockFaces(m_fields, m_fields.velocity);
+    resampleToCells(m_fields, m_pool);
+  }
+
+  void step(std::span<const ArrowForce> arrows, double time) override;
+  void reset() override;
+  Status setVelocity(std::span<const glm::vec2> cells) override;
+  void readVelocity(std::vector<glm::vec2>& cells) override;
+
+  [[nodiscard]] unsigned velocityTexture() const override { return 0; }
+  [[nodiscard]] const GridMapping& grid() const override { return m_fields.grid.mapping; }
+  [[nodiscard]] const WindDiagnostics& diagnostics() override { return m_diagnostics; }
+  [[nodiscard]] Backend backend() const override { return Backend::Cpu; }
+  [[nodiscard]] std::size_t memoryBytes() const override {
+    const CpuFields& f = m_fields;
+    std::size_t sum = m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
+    for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) sum += v->u.bytes() + v->w.bytes();
+    return sum;
+  }
+
+ private:
+  static CpuFields makeFields(const WindSetup& setup);
+  void applySettings(const WindSetup& setup);
+  void settle();
+  void measureCells();
+  void endStage(const char* name, Clock::time_point& begin);
+
+  ThreadPool m_pool;
+  CpuFields m_fields;
+  CpuMultigrid m_multigrid;
+  ArrowTiles m_tiles;
+  WindDiagnostics m_diagnostics;
+};
+
+CpuFields CpuWindSolver::makeFields(const WindSetup& setup) {
+  CpuFields f;
+  f.grid = makeWindGrid(setup.field, setup.obstacles);
+  for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) *v = CpuVelocity(f.grid);
+  for (CpuPlane* p : {&f.phi, &f.speedX, &f.speedZ}) *p = CpuPlane(f.grid.width, f.grid.height);
+  return f;
+}
+
+void CpuWindSolver::applySettings(const WindSetup& setup) {
+  CpuFields& f = m_fields;
+  if (f.gustTable.empty() || f.solver.seed != setup.solver.seed) f.gustTable = makeGustTable(setup.solver.seed);
+  f.solver = setup.solver;
+  f.ambientSettings = setup.ambient;
+  f.noSlip = setup.noSlip;
+  f.dt = setup.field.timeStep;
+  f.ambient = ambientVelocity(setup.ambient);
+  if (const float speed = glm::length(f.ambient); speed > f.solver.maxSpeed) f.ambient *= f.solver.maxSpeed / speed;
+  f.gustAmplitude = gustAmplitude(setup.ambient);
+}
+
+void CpuWindSolver::endStage(const char* name, Clock::time_point& begin) {
+  const Clock::time_point now = Clock::now();
+  m_diagnostics.stageMs.emplace_back(name, std::chrono::duration<double, std::milli>(now - begin).count());
+  begin = now;
+}
+
+void CpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
+  const Clock::time_point whole = Clock::now();
+  Clock::time_point begin = whole;
+  m_diagnostics.stageMs.clear();
+  fillGhosts(m_fields, m_fields.velocity, OpenGhost::Ambient);
+  binArrows(m_fields.grid, arrows, m_tiles);
+  applyForces(m_fields, m_pool, arrows, m_tiles, time);
+  fillGhosts(m_fields, m_fields.forced, OpenGhost::Ambient);
+  endStage("forces", begin);
+  advect(m_fields, m_pool);
+  endStage("advection", begin);
+  diffuse(m_fields, m_pool);
+  if (m_fields.solver.viscosity > 0) endStage("viscosity", begin);
+  settle();
+  endStage("borders", begin);
+  const ProjectionReport report = project(m_fields, m_multigrid, m_pool);
+  m_diagnostics.divergenceBefore = report.divergenceBefore;
+  m_diagnostics.divergenceAfter = report.divergenceAfter;
+  m_diagnostics.maxDivergenceAfter = report.maxDivergenceAfter;
+  m_diagnostics.cycles = report.cycles;
+  endStage("projection", begin);
+  resampleToCells(m_fields, m_pool);
+  measureCells();
+  endStage("cells", begin);
+  ++m_diagnostics.step;
+  m_diagnostics.stepMs = msSince(whole);
+}
+
+/// Dissipation, health check and speed limit of `moved`, then borders and solids.
+void CpuWindSolver::settle() {
+  CpuFields& f = m_fields;
+  const float keep = 1 / (1 + f.solver.dissipation * f.dt);
+  const float limit = f.solver.maxSpeed;
+  struct Found {
+    long count = 0;
+    glm::ivec2 first{-1};
+  };
+  std::vector<Found> found(static_cast<std::size_t>(rowTasks(f.height() + 1)));
+  forRowTasks(m_pool, f.height() + 1, [&](int task, int rowBegin, int rowEnd) {
+    Found& mine = found[static_cast<std::size_t>(task)];
+    const auto settleRow = [&](float* row, int count, float ambient, int k) {
+      for (int i = 0; i < count; ++i) {
+        const float q = ambient + (row[i] - ambient) * keep;
+        const bool healthy = std::abs(q) <= 3e38f;
+        row[i] = healthy ? std::clamp(q, -limit, limit) : ambient;
+        if (healthy) continue;
+        if (mine.count++ == 0) mine.first = {std::min(i, f.width() - 1), std::min(k, f.height() - 1)};
+      }
+    };
+    for (int k = rowBegin; k < rowEnd; ++k) {
+      if (k < f.height()) settleRow(f.moved.u.row(k), f.width() + 1, f.ambient.x, k);
+      settleRow(f.moved.w.row(k), f.width(), f.ambient.y, k);
+    }
+  });
+  for (const Found& mine : found) {
+    if (mine.count > 0 && m_diagnostics.nonFiniteCells == 0) m_diagnostics.firstNonFinite = mine.first;
+    m_diagnostics.nonFiniteCells += mine.count;
+  }
+  blockFaces(f, f.moved);
+}
+
+void CpuWindSolver::measureCells() {
+  const CpuFields& f = m_fields;
+  struct Measure {
+    double energy = 0;
+    float square = 0, across = 0;
+  };
+  std::vector<Measure> measures(static_cast<std::size_t>(rowTasks(f.height())));
+  const float perX = f.dt / f.grid.hx, perZ = f.dt / f.grid.hz;
+  forRowTasks(m_pool, f.height(), [&](int task, int begin, int end) {
+    Measure& m = measures[static_cast<std::size_t>(task)];
+    for (int k = begin; k < end; ++k) {
+      const float *x = f.speedX.row(k), *z = f.speedZ.row(k);
+      for (int i = 0; i < f.width(); ++i) {
+        const float square = x[i] * x[i] + z[i] * z[i];
+        m.energy += f.grid.solidAt(i, k) ? 0.0 : double(square);
+        m.square = std::max(m.square, square);
+        m.across = std::max(m.across, std::max(std::abs(x[i]) * perX, std::abs(z[i]) * perZ));
+      }
+    }
+  });
+  Measure total;
+  for (const Measure& m : measures) {
+    total.energy += m.energy;
+    total.square = std::max(total.square, m.square);
+    total.across = std::max(total.across, m.across);
+  }
+  m_diagnostics.kineticEnergy = 0.5 * total.energy / static_cast<double>(std::max<std::size_t>(f.grid.airCells, 1));
+  m_diagnostics.maxSpeed = std::min(std::sqrt(double(total.square)), double(f.solver.maxSpeed));
+  m_diagnostics.cfl = double(total.across);
+}
+
+void CpuWindSolver::reset() {
+  CpuFields& f = m_fields;
+  for (int k = 0; k <= f.height(); ++k) {
+    if (k < f.height()) std::fill_n(f.velocity.u.row(k), f.width() + 1, f.ambient.x);
+    std::fill_n(f.velocity.w.row(k), f.width(), f.ambient.y);
+  }
+  blockFaces(f, f.velocity);
+  f.phi.clear();
+  m_diagnostics = {};
+  resampleToCells(f, m_pool);
+}
+
+Status CpuWindSolver::setVelocity(std::span<const glm::vec2> cells) {
+  CpuFields& f = m_fields;
+  if (Status status = checkInitialField(f.grid, cells); !status) return status;
+  for (int k = 0; k <= f.height(); ++k) {
+    for (int i = 0; k < f.height() && i <= f.width(); ++i) f.velocity.u.at(i, k) = initialFaceX(f.grid, cells, i, k, f.solver.maxSpeed);
+    for (int i = 0; i < f.width(); ++i) f.velocity.w.at(i, k) = initialFaceZ(f.grid, cells, i, k, f.solver.maxSpeed);
+  }
+  f.phi.clear();
+  m_diagnostics = {};
+  resampleToCells(f, m_pool);
+  return Done{};
+}
+
+void CpuWindSolver::readVelocity(std::vector<glm::vec2>& cells) {
+  const CpuFields& f = m_fields;
+  cells.resize(static_cast<std::size_t>(f.width()) * static_cast<std::size_t>(f.height()));
+  forRowTasks(m_pool, f.height(), [&](int, int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      glm::vec2* out = cells.data() + static_cast<std::size_t>(k) * static_cast<std::size_t>(f.width());
+      for (int i = 0; i < f.width(); ++i) {
+        const glm::vec2 v(f.speedX.at(i, k), f.speedZ.at(i, k));
+        const float speed = glm::length(v);
+        out[i] = speed > f.solver.maxSpeed ? v * (f.solver.maxSpeed / speed) : v;
+      }
+    }
+  });
+}
+
+}  // namespace
+
+Result<std::unique_ptr<WindSolver>> makeCpuWindSolver(const WindSetup& setup, int threads) {
+  if (Status status = checkWindSetup(setup); !status) return status.error();
+  return std::unique_ptr<WindSolver>(std::make_unique<CpuWindSolver>(setup, threads));
+}
+
+}  // namespace windloom
