@@ -1,0 +1,41 @@
+#pragma once
+// The project file, NAME.wind.json. Shape: docs/project.schema.json; parameters: docs/parameters.md.
+//
+// Reading is strict about what it knows and careful with what it doesn't: every error is collected with
+// its place, unknown keys are kept as they are and written back, and nothing is dropped silently.
+// Writing is canonical: fixed order of keys, shortest numbers, one point, arrow, signal, obstacle, probe
+// or camera a line; in these records values that equal their default are left out.
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/result.hpp"
+#include "engine/model/project.hpp"
+
+namespace windloom {
+
+inline constexpr std::string_view kProjectFormat = "windloom-project";
+inline constexpr std::uint64_t kMaxProjectBytes = 64ull << 20;
+
+struct LoadedProject {
+  Project project;
+  std::vector<Problem> warnings;  ///< unknown keys, with their places; an older version that was brought up to date
+};
+
+/// Fails with BadInput, all problems collected, or with Machine where the file can't be read.
+Result<LoadedProject> loadProject(const std::filesystem::path& path);
+
+/// The same from text; `fileName` only goes into messages.
+Result<LoadedProject> parseProject(std::string_view text, const std::string& fileName);
+
+/// The file's bytes for a valid project. writeProject(parseProject(b)) gives b again for any b that
+/// writeProject made.
+std::string writeProject(const Project& project);
+
+/// Writes atomically and keeps one PATH.bak. Fails with BadInput where the project isn't valid (NaN
+/// included), with Machine for I/O trouble; the old file is then untouched.
+Status saveProject(const Project& project, const std::filesystem::path& path);
+
+}  // namespace windloom

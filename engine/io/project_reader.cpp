@@ -1,0 +1,341 @@
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
+#include "engine/io/project_json.hpp"
+#include "engine/io/project_migration.hpp"
+#include "engine/io/project_records.hpp"
+#include "engine/model/parameters.hpp"
+#include "engine/model/validate.hpp"
+
+namespace windloom {
+namespace {
+
+constexpr std::size_t kMaxProblems = 1000;
+
+/// A place in the document; becomes a JSON pointer only when there is something to say.
+struct Place {
+  const Place* parent = nullptr;
+  std::string_view key = {};
+  std::size_t index = 0;
+
+  [[nodiscard]] std::string pointer() const {
+    if (parent == nullptr) return {};
+    return parent->pointer() + "/" + (key.empty() ? std::to_string(index) : pointerPart(key));
+  }
+  [[nodiscard]] Place at(std::string_view member) const { return {this, member, 0}; }
+  [[nodiscard]] Place at(std::size_t element) const { return {this, {}, element}; }
+};
+
+std::optional<int> wholeNumber(const JsonDocument& value) {
+  if (!value.is_number()) return std::nullopt;
+  const double number = value.get<double>();
+  constexpr double kLimit = std::numeric_limits<int>::max();
+  if (!(std::abs(number) <= kLimit) || number != std::floor(number)) return std::nullopt;
+  return static_cast<int>(number);
+}
+
+bool isNumberArray(const JsonDocument& value, std::size_t size) {
+  return value.is_array() && value.size() == size &&
+         std::ranges::all_of(value, [](const JsonDocument& v) { return v.is_number(); });
+}
+
+/// The value if it has the parameter's type; its range is checked by parameterProblem.
+std::optional<ParameterValue> valueOfType(const ParameterInfo& info, const JsonDocument& value) {
+  switch (info.type) {
+    case ParameterType::Real:
+      if (value.is_number()) return value.get<float>();
+      break;
+    case ParameterType::Integer:
+    case ParameterType::Id:
+      if (const auto number = wholeNumber(value)) return *number;
+      break;
+    case ParameterType::Switch:
+      if (value.is_boolean()) return value.get<bool>();
+      break;
+    case ParameterType::Choice:
+      if (value.is_string()) {
+        const auto found = std::ranges::find(info.choices, value.get_ref<const std::string&>());
+        if (found != info.choices.end()) return static_cast<int>(found - info.choices.begin());
+      }
+      break;
+    case ParameterType::Real2:
+      if (isNumberArray(value, 2)) return glm::vec2(value[0].get<float>(), value[1].get<float>());
+      break;
+    case ParameterType::Real3:
+      if (isNumberArray(value, 3))
+        return glm::vec3(value[0].get<float>(), value[1].get<float>(), value[2].get<float>());
+      break;
+    case ParameterType::Integer2:
+      if (isNumberArray(value, 2)) {
+        const auto x = wholeNumber(value[0]), y = wholeNumber(value[1]);
+        if (x && y) return glm::ivec2(*x, *y);
+      }
+      break;
+    case ParameterType::Text:
+      if (value.is_string()) return value.get<std::string>();
+      break;
+  }
+  return std::nullopt;
+}
+
+class Reader {
+ public:
+  Project read(const JsonDocument& document) {
+    const Place root;
+    Project project;
+    JsonDocument extra = JsonDocument::object();
+    static constexpr ParameterInfo kName{
+        .key = "name", .label = "Name", .unit = "", .help = "", .type = ParameterType::Text};
+    for (const auto& [key, value] : document.items()) {
+      const Place place = root.at(key);
+      if (key == "format" || key == "version") continue;
+      if (key == "name") {
+        if (auto name = readValue(kName, value, place)) project.name = std::get<std::string>(*std::move(name));
+      } else if (key == "field") {
+        readPart(project.field, value, place);
+      } else if (key == "solver") {
+        readPart(project.solver, value, place);
+      } else if (key == "ambient") {
+        readPart(project.ambient, value, place);
+      } else if (key == "graph") {
+        project.graph = std::make_shared<WindGraph>(readGraph(value, place));
+      } else if (key == "obstacles") {
+        project.obstacles = std::make_shared<std::vector<Obstacle>>(readList<Obstacle>(value, place, kMaxObstacles));
+      } else if (key == "terrain") {
+        readPart(project.terrain, value, place);
+      } else if (key == "grass") {
+        readPart(project.grass, value, place);
+      } else if (key == "probes") {
+        project.probes = std::make_shared<std::vector<Probe>>(readList<Probe>(value, place, kMaxProbes));
+      } else if (key == "cameras") {
+        project.cameras = std::make_shared<std::vector<Camera>>(readList<Camera>(value, place, kMaxCameras));
+      } else if (key == kCollidersKey) {
+        extra[key] = value;
+      } else {
+        keep(extra, key, value, place);
+      }
+    }
+    project.extra = std::make_shared<std::string>(textOf(extra));
+    return project;
+  }
+
+  std::vector<Problem> problems, warnings;
+
+ private:
+  void problem(const Place& place, std::string message) {
+    if (problems.size() < kMaxProblems) problems.push_back({{}, place.pointer(), std::move(message)});
+  }
+
+  void keep(JsonDocument& extra, const std::string& key, const JsonDocument& value, const Place& place) {
+    extra[key] = value;
+    if (warnings.size() < kMaxProblems)
+      warnings.push_back({{}, place.pointer(), "is no key that this version knows; kept as it is"});
+  }
+
+  static std::string textOf(const JsonDocument& extra) { return extra.empty() ? std::string() : extra.dump(); }
+
+  std::optional<ParameterValue> readValue(const ParameterInfo& info, const JsonDocument& value, const Place& place) {
+    std::optional<ParameterValue> read = valueOfType(info, value);
+    if (read && parameterProblem(info, *read).empty()) return read;
+    problem(place, "found " + describeJson(value) + ", expected " + parameterExpectation(info));
+    return std::nullopt;
+  }
+
+  bool expectObject(const JsonDocument& value, const Place& place) {
+    if (!value.is_object()) problem(place, "found " + describeJson(value) + ", expected an object");
+    return value.is_object();
+  }
+
+  /// Reads the members of an object that has passed expectObject. `group` is the leading part of nested
+  /// keys, "gusts/". Gives the unknown members; `special` is read by the caller.
+  template <class Owner>
+  JsonDocument readMembers(const JsonDocument& object, Owner& owner, const Place& place, const std::string& group,
+                           std::string_view special = {}) {
+    const auto table = parametersOf<Owner>();
+    JsonDocument extra = JsonDocument::object();
+    for (const auto& [key, value] : object.items()) {
+      const Place member = place.at(key);
+      const std::string full = group + key;
+      const bool plain = key.find('/') == std::string::npos && !key.empty();
+      const auto parameter = std::ranges::find(table, full, [](const Parameter<Owner>& p) { return p.info.key; });
+      if (plain && parameter != table.end()) {
+        if (auto read = readValue(parameter->info, value, member)) parameter->set(owner, *read);
+      } else if (plain && group.empty() && isGroup(table, full + "/")) {
+        if (!expectObject(value, member)) continue;
+        JsonDocument inner = readMembers(value, owner, member, full + "/");
+        if (!inner.empty()) extra[key] = std::move(inner);
+      } else if (key != special || special.empty()) {
+        keep(extra, key, value, member);
+      }
+    }
+    return extra;
+  }
+
+  template <class Owner>
+  static bool isGroup(std::span<const Parameter<Owner>> table, const std::string& prefix) {
+    return std::ranges::any_of(table, [&](const Parameter<Owner>& p) { return p.info.key.starts_with(prefix); });
+  }
+
+  template <class Part>
+  void readPart(Shared<Part>& part, const JsonDocument& value, const Place& place) {
+    if (!expectObject(value, place)) return;
+    auto read = std::make_shared<Part>();
+    read->extra = textOf(readMembers(value, *read, place, {}));
+    part = std::move(read);
+  }
+
+  template <class Record>
+  std::vector<Record> readList(const JsonDocument& value, const Place& place, std::size_t limit) {
+    std::vector<Record> records;
+    if (!value.is_array()) {
+      problem(place, "found " + describeJson(value) + ", expected an array of objects");
+    } else if (value.size() > limit) {
+      problem(place, "holds " + std::to_string(value.size()) + " objects, expected at most " + std::to_string(limit));
+    } else {
+      records.reserve(value.size());
+      for (std::size_t i = 0; i < value.size(); ++i) records.push_back(readRecord<Record>(value[i], place.at(i)));
+    }
+    return records;
+  }
+
+  template <class Record>
+  Record readRecord(const JsonDocument& value, const Place& place) {
+    Record record;
+    if (!expectObject(value, place)) return record;
+    constexpr bool isSignal = std::is_same_v<Record, Signal>;
+    record.extra = textOf(readMembers(value, record, place, {}, isSignal ? "keys" : ""));
+    for (const std::string_view key : kRequiredKeys<Record>) {
+      if (value.contains(key)) continue;
+      const auto table = parametersOf<Record>();
+      const auto parameter = std::ranges::find(table, key, [](const Parameter<Record>& p) { return p.info.key; });
+      problem(place.at(key), "is missing, expected " + parameterExpectation(parameter->info));
+    }
+    if constexpr (isSignal) {
+      if (const auto keys = value.find("keys"); keys != value.end()) record.keys = readKeys(*keys, place.at("keys"));
+    }
+    return record;
+  }
+
+  std::vector<SignalKey> readKeys(const JsonDocument& value, const Place& place) {
+    std::vector<SignalKey> keys;
+    if (!value.is_array() || value.size() > kMaxSignalKeys) {
+      problem(place, "found " + describeJson(value) + ", expected an array of at most " +
+                         std::to_string(kMaxSignalKeys) + " pairs [time, value]");
+      return keys;
+    }
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (isNumberArray(value[i], 2)) {
+        keys.push_back({value[i][0].get<float>(), value[i][1].get<float>()});
+      } else {
+        problem(place.at(i), "found " + describeJson(value[i]) + ", expected two numbers [time, value]");
+      }
+    }
+    return keys;
+  }
+
+  WindGraph readGraph(const JsonDocument& value, const Place& place) {
+    WindGraph graph;
+    if (!expectObject(value, place)) return graph;
+    JsonDocument extra = JsonDocument::object();
+    for (const auto& [key, part] : value.items()) {
+      if (key == "points") {
+        graph.points = readList<Point>(part, place.at(key), kMaxPoints);
+      } else if (key == "arrows") {
+        graph.arrows = readList<Arrow>(part, place.at(key), kMaxArrows);
+      } else if (key == "signals") {
+        graph.signals = readList<Signal>(part, place.at(key), kMaxPoints);
+      } else {
+        keep(extra, key, part, place.at(key));
+      }
+    }
+    graph.extra = textOf(extra);
+    return graph;
+  }
+};
+
+/// Checks that the document is a project that this version can read, and brings it up to date.
+Status prepare(JsonDocument& document, const std::string& file, std::vector<Problem>& warnings) {
+  const auto refuse = [&](std::string pointer, std::string message) {
+    return makeError(ErrorKind::BadInput, file, std::move(pointer), std::move(message));
+  };
+  if (!document.is_object())
+    return refuse({}, "holds " + describeJson(document) + ", expected a Windloom project (an object)");
+  const std::string expected = "expected \"" + std::string(kProjectFormat) + "\"";
+  const auto format = document.find("format");
+  if (format == document.end()) return refuse("/format", "is missing, so this is no Windloom project: " + expected);
+  if (*format != JsonDocument(kProjectFormat))
+    return refuse("/format", "found " + describeJson(*format) + ", " + expected);
+  const auto versionValue = document.find("version");
+  const std::string range = "expected a whole number from 1 to " + std::to_string(kProjectVersion);
+  if (versionValue == document.end()) return refuse("/version", "is missing, " + range);
+  const std::optional<int> version = wholeNumber(*versionValue);
+  if (!version || *version < 1) return refuse("/version", "found " + describeJson(*versionValue) + ", " + range);
+  if (*version > kProjectVersion) {
+    return refuse("/version", "the project is of version " + std::to_string(*version) +
+                                  ", this program reads up to version " + std::to_string(kProjectVersion) +
+                                  ": a newer Windloom is needed");
+  }
+  Status migrated = migrateProject(document, *version, kProjectVersion, projectMigrations());
+  if (!migrated) {
+    Error error = migrated.error();
+    for (Problem& problem : error.problems) problem.file = file;
+    return error;
+  }
+  if (*version < kProjectVersion) {
+    warnings.push_back(
+        {{}, "/version", "was " + std::to_string(*version) + ", brought up to " + std::to_string(kProjectVersion)});
+  }
+  return Done{};
+}
+
+/// What validate says beyond what reading found. A point that couldn't be read makes its arrows and
+/// signals look wrong too; those are not reported.
+void addSemanticProblems(const Project& project, std::vector<Problem>& problems) {
+  std::vector<std::string> known;
+  for (const Problem& problem : problems) known.push_back(problem.pointer);
+  std::ranges::sort(known);
+  const bool pointsBroken = std::ranges::any_of(known, [](const std::string& p) { return p.starts_with("/graph"); });
+  for (Problem& problem : validate(project)) {
+    if (problems.size() >= kMaxProblems) break;
+    if (std::ranges::binary_search(known, problem.pointer)) continue;
+    const bool depends = problem.pointer.starts_with("/graph/arrows") || problem.pointer.starts_with("/graph/signals");
+    if (pointsBroken && depends) continue;
+    problems.push_back(std::move(problem));
+  }
+}
+
+}  // namespace
+
+Result<LoadedProject> parseProject(std::string_view text, const std::string& fileName) {
+  if (text.find_first_not_of(" \t\r\n") == text.npos) {
+    return makeError(ErrorKind::BadInput, fileName, {}, "is empty, expected a Windloom project");
+  }
+  if (text.size() > kMaxProjectBytes) {
+    return makeError(ErrorKind::BadInput, fileName, {},
+                     "is larger than " + std::to_string(kMaxProjectBytes >> 20) + " MB");
+  }
+  Result<JsonDocument> document = parseJsonDocument(text, fileName);
+  if (!document) return document.error();
+  Reader reader;
+  if (Status prepared = prepare(*document, fileName, reader.warnings); !prepared) return prepared.error();
+  LoadedProject loaded{reader.read(*document), {}};
+  addSemanticProblems(loaded.project, reader.problems);
+  for (auto* list : {&reader.problems, &reader.warnings}) {
+    for (Problem& problem : *list) problem.file = fileName;
+  }
+  if (!reader.problems.empty()) return Error{ErrorKind::BadInput, std::move(reader.problems)};
+  loaded.warnings = std::move(reader.warnings);
+  return loaded;
+}
+
+Result<LoadedProject> loadProject(const std::filesystem::path& path) {
+  Result<std::string> text = readFile(path, kMaxProjectBytes);
+  if (!text) return text.error();
+  return parseProject(*text, path.string());
+}
+
+}  // namespace windloom
