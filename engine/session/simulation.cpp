@@ -26,7 +26,7 @@ bool sameGrid(const FieldSettings& a, const FieldSettings& b) {
 }
 
 WindSetup setupOf(const Project& project, const SimulationOptions& options) {
-  WindSetup setup{*project.field, *project.solver, *project.ambient, *project.obstacles};
+  WindSetup setup{*project.field, *project.solver, *project.ambient, *project.obstacles, {}};
   if (options.resolution) setup.field.resolution = *options.resolution;
   return setup;
 }
