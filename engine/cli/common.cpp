@@ -1,0 +1,59 @@
+#include "engine/cli/common.hpp"
+
+#include <cstdio>
+
+#include "engine/core/log.hpp"
+#include "engine/io/project_json.hpp"
+
+namespace windloom::cli {
+
+void addCommonOptions(CLI::App& app, CommonOptions& options) {
+  app.add_flag("--json", options.json, "Write one JSON object to standard output");
+  const auto setBackend = [&options](const std::string& name) {
+    if (name != "auto" && name != "gpu" && name != "cpu") {
+      throw CLI::ValidationError("--backend", "found '" + name + "', expected auto, gpu or cpu");
+    }
+    options.backend = name == "gpu" ? Backend::Gpu : (name == "cpu" ? Backend::Cpu : Backend::Auto);
+  };
+  app.add_option_function<std::string>("--backend", setBackend, "Where the wind is computed (default auto)")
+      ->type_name("auto|gpu|cpu");
+}
+
+int exitStatus(ErrorKind kind) {
+  switch (kind) {
+    case ErrorKind::BadInput:
+      return kExitBadInput;
+    case ErrorKind::Usage:
+      return kExitUsage;
+    case ErrorKind::Machine:
+      break;
+  }
+  return kExitMachine;
+}
+
+int reportError(const Error& error, const CommonOptions& options) {
+  for (const Problem& problem : error.problems) std::fprintf(stderr, "windloom: %s\n", problem.text().c_str());
+  if (options.json) printJson({{"ok", false}, {"errors", problemsJson(error.problems)}});
+  return exitStatus(error.kind);
+}
+
+Result<Project> loadWithWarnings(const std::string& file) {
+  Result<LoadedProject> loaded = loadProject(file);
+  if (!loaded) return loaded.error();
+  for (const Problem& warning : loaded->warnings) logWarning(warning.text());
+  return std::move(loaded->project);
+}
+
+Json problemsJson(const std::vector<Problem>& problems) {
+  Json list = Json::array();
+  for (const Problem& problem : problems) {
+    list.push_back({{"file", problem.file}, {"pointer", problem.pointer}, {"message", problem.message}});
+  }
+  return list;
+}
+
+void printJson(const Json& object) {
+  std::printf("%s\n", object.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+}
+
+}  // namespace windloom::cli
