@@ -1,14 +1,14 @@
 // The CPU backend: the stages of docs/solver.md in order.
+#include "engine/wind/cpu_solver.hpp"
+
 #include <algorithm>
-#include <bit>
 #include <chrono>
 #include <cmath>
-#include <string>
 
+#include "engine/core/contract.hpp"
 #include "engine/wind/cpu_advection.hpp"
 #include "engine/wind/cpu_borders.hpp"
 #include "engine/wind/cpu_forces.hpp"
-#include "engine/wind/cpu_multigrid.hpp"
 #include "engine/wind/cpu_projection.hpp"
 #include "engine/wind/cpu_viscosity.hpp"
 #include "engine/wind/initial_field.hpp"
@@ -17,68 +17,64 @@ namespace windloom {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-double msSince(Clock::time_point begin) { return std::chrono::duration<double, std::milli>(Clock::now() - begin).count(); }
 
-class CpuWindSolver final : public WindSolver {
+double msBetween(Clock::time_point begin, Clock::time_point end) {
+  return std::chrono::duration<double, std::milli>(end - begin).count();
+}
+
+/// Times the stages of a step into its diagnostics.
+class StageClock {
  public:
-  CpuWindSolver(const WindSetup& setup, int threads)
-      : m_pool(threads), m_fields(makeFields(setup)), m_multigrid(m_fields.grid) {
-    findBlocked(m_fields);
-    applySettings(setup);
-    reset();
-  }
-
-  void configure(const WindSetup& setup) override {
-    WindGrid& grid = m_fields.grid;
-    WL_REQUIRE(setup.field.resolution == grid.mapping.resolution && setup.field.size == grid.mapping.size,
-               "another grid needs a new solver");
-    const std::vector<std::uint8_t> old = grid.solid;
-    grid.mapping = makeGridMapping(setup.field.centre, setup.field.size, setup.field.resolution);
-    rasteriseSolids(grid, setup.obstacles);
-    applySettings(setup);
-    if (grid.solid == old) return;
-    findBlocked(m_fields);
-    m_multigrid.rebuild(grid);
-    blockFaces(m_fields, m_fields.velocity);
-    resampleToCells(m_fields, m_pool);
-  }
-
-  void step(std::span<const ArrowForce> arrows, double time) override;
-  void reset() override;
-  Status setVelocity(std::span<const glm::vec2> cells) override;
-  void readVelocity(std::vector<glm::vec2>& cells) override;
-
-  [[nodiscard]] unsigned velocityTexture() const override { return 0; }
-  [[nodiscard]] const GridMapping& grid() const override { return m_fields.grid.mapping; }
-  [[nodiscard]] const WindDiagnostics& diagnostics() override { return m_diagnostics; }
-  [[nodiscard]] Backend backend() const override { return Backend::Cpu; }
-  [[nodiscard]] std::size_t memoryBytes() const override {
-    const CpuFields& f = m_fields;
-    std::size_t sum = m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
-    for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) sum += v->u.bytes() + v->w.bytes();
-    return sum;
+  explicit StageClock(WindDiagnostics& diagnostics) : m_diagnostics(diagnostics) { diagnostics.stageMs.clear(); }
+  void end(const char* stage) {
+    const Clock::time_point now = Clock::now();
+    m_diagnostics.stageMs.emplace_back(stage, msBetween(m_last, now));
+    m_last = now;
+    m_diagnostics.stepMs = msBetween(m_begin, now);
   }
 
  private:
-  static CpuFields makeFields(const WindSetup& setup);
-  void applySettings(const WindSetup& setup);
-  void settle();
-  void measureCells();
-  void endStage(const char* name, Clock::time_point& begin);
-
-  ThreadPool m_pool;
-  CpuFields m_fields;
-  CpuMultigrid m_multigrid;
-  ArrowTiles m_tiles;
-  WindDiagnostics m_diagnostics;
+  WindDiagnostics& m_diagnostics;
+  Clock::time_point m_begin = Clock::now(), m_last = m_begin;
 };
 
-CpuFields CpuWindSolver::makeFields(const WindSetup& setup) {
+CpuFields makeFields(const WindSetup& setup) {
   CpuFields f;
   f.grid = makeWindGrid(setup.field, setup.obstacles);
   for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) *v = CpuVelocity(f.grid);
   for (CpuPlane* p : {&f.phi, &f.speedX, &f.speedZ}) *p = CpuPlane(f.grid.width, f.grid.height);
   return f;
+}
+
+}  // namespace
+
+CpuWindSolver::CpuWindSolver(const WindSetup& setup, int threads)
+    : m_pool(threads), m_fields(makeFields(setup)), m_multigrid(m_fields.grid) {
+  findBlocked(m_fields);
+  applySettings(setup);
+  reset();
+}
+
+void CpuWindSolver::configure(const WindSetup& setup) {
+  WindGrid& grid = m_fields.grid;
+  WL_REQUIRE(setup.field.resolution == grid.mapping.resolution && setup.field.size == grid.mapping.size,
+             "another grid needs a new solver");
+  const std::vector<std::uint8_t> old = grid.solid;
+  grid.mapping = makeGridMapping(setup.field.centre, setup.field.size, setup.field.resolution);
+  rasteriseSolids(grid, setup.obstacles);
+  applySettings(setup);
+  if (grid.solid == old) return;
+  findBlocked(m_fields);
+  m_multigrid.rebuild(grid);
+  blockFaces(m_fields, m_fields.velocity);
+  resampleToCells(m_fields, m_pool);
+}
+
+std::size_t CpuWindSolver::memoryBytes() const {
+  const CpuFields& f = m_fields;
+  std::size_t sum = m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
+  for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) sum += v->u.bytes() + v->w.bytes();
+  return sum;
 }
 
 void CpuWindSolver::applySettings(const WindSetup& setup) {
@@ -93,38 +89,31 @@ void CpuWindSolver::applySettings(const WindSetup& setup) {
   f.gustAmplitude = gustAmplitude(setup.ambient);
 }
 
-void CpuWindSolver::endStage(const char* name, Clock::time_point& begin) {
-  const Clock::time_point now = Clock::now();
-  m_diagnostics.stageMs.emplace_back(name, std::chrono::duration<double, std::milli>(now - begin).count());
-  begin = now;
-}
-
 void CpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
-  const Clock::time_point whole = Clock::now();
-  Clock::time_point begin = whole;
-  m_diagnostics.stageMs.clear();
+  StageClock clock(m_diagnostics);
   fillGhosts(m_fields, m_fields.velocity, OpenGhost::Ambient);
   binArrows(m_fields.grid, arrows, m_tiles);
   applyForces(m_fields, m_pool, arrows, m_tiles, time);
   fillGhosts(m_fields, m_fields.forced, OpenGhost::Ambient);
-  endStage("forces", begin);
+  clock.end("forces");
   advect(m_fields, m_pool);
-  endStage("advection", begin);
-  diffuse(m_fields, m_pool);
-  if (m_fields.solver.viscosity > 0) endStage("viscosity", begin);
+  clock.end("advection");
+  if (m_fields.solver.viscosity > 0) {
+    diffuse(m_fields, m_pool);
+    clock.end("viscosity");
+  }
   settle();
-  endStage("borders", begin);
+  clock.end("borders");
   const ProjectionReport report = project(m_fields, m_multigrid, m_pool);
   m_diagnostics.divergenceBefore = report.divergenceBefore;
   m_diagnostics.divergenceAfter = report.divergenceAfter;
   m_diagnostics.maxDivergenceAfter = report.maxDivergenceAfter;
   m_diagnostics.cycles = report.cycles;
-  endStage("projection", begin);
+  clock.end("projection");
   resampleToCells(m_fields, m_pool);
   measureCells();
-  endStage("cells", begin);
   ++m_diagnostics.step;
-  m_diagnostics.stepMs = msSince(whole);
+  clock.end("cells");
 }
 
 /// Dissipation, health check and speed limit of `moved`, then borders and solids.
@@ -230,8 +219,6 @@ void CpuWindSolver::readVelocity(std::vector<glm::vec2>& cells) {
     }
   });
 }
-
-}  // namespace
 
 Result<std::unique_ptr<WindSolver>> makeCpuWindSolver(const WindSetup& setup, int threads) {
   if (Status status = checkWindSetup(setup); !status) return status.error();
