@@ -55,7 +55,6 @@ class DocumentFlow {
   enum class Then { Nothing, New, Open, Quit };
   void begin(Then then);
   void proceed();
-  void finishSave(const Status& status);
   void fail(const Error& error);
   void saveTo(const std::filesystem::path& path);
 

@@ -21,9 +21,10 @@ class History {
   explicit History(Project start, HistoryLimits limits = {});
 
   struct Entry {
-    std::string label;  ///< of the edit that led here; "Open" for the first
-    Project project;
-    std::string mergeKey;
+    std::string label = {};  ///< of the edit that led here; "Open" for the first
+    Project project = {};
+    std::string mergeKey = {};
+    std::size_t addedBytes = 0;  ///< memory of the parts that the entry before doesn't share
   };
 
   [[nodiscard]] const Project& current() const { return m_entries[m_at].project; }

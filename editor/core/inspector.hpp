@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "editor/core/value_text.hpp"
 #include "engine/core/result.hpp"
 #include "engine/model/edit.hpp"
 #include "engine/model/parameter.hpp"
@@ -57,8 +58,5 @@ Result<Edit> setFromText(const Project& project, const InspectorTarget& target, 
                          std::string_view text, int component = -1);
 /// Back to the default.
 Result<Edit> resetParameter(const Project& project, const InspectorTarget& target, std::string_view key);
-
-/// "8", "40, 0", "speed", "on": a value as text without its unit.
-std::string toText(const ParameterInfo& info, const ParameterValue& value);
 
 }  // namespace windloom::editor

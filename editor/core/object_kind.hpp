@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 
 #include "engine/model/project.hpp"
 
@@ -18,6 +19,9 @@ const char* kindLabel(ObjectKind kind);  ///< "Point", "Arrow", ...
 const Obstacle* findObstacle(const Project& project, Id id);
 const Probe* findProbe(const Project& project, Id id);
 const Camera* findCamera(const Project& project, Id id);
+
+/// The name an artist gave it, or "".
+std::string nameOf(const Project& project, Id id);
 
 /// Points carry no flags of their own: a point is hidden (locked) where it has arrows and all of them are.
 bool isHidden(const Project& project, Id id);

@@ -32,6 +32,8 @@ class ToolBox {
   bool release(ToolContext& context, const PointerEvent& pointer);
   bool wheel(ToolContext& context, float notches, Modifiers modifiers);
   bool key(ToolContext& context, const KeyPress& press);
+  /// Begins a drag that follows the pointer without a button (started by a key): a left click or Enter ends it.
+  void startDrag(ToolContext& context, std::unique_ptr<Drag> drag, const PointerEvent& pointer);
   /// Focus loss, tool change, Esc. True where something was under way.
   bool cancel(ToolContext& context);
 
@@ -57,6 +59,8 @@ class ToolBox {
   std::size_t m_active = 0;
   std::unique_ptr<Drag> m_drag;
   bool m_pressed = false;
+  bool m_free = false;  // the drag follows the pointer without a button
+  std::string m_refused;  // why the drag's last preview was not legal
   PointerEvent m_press, m_last;
   Id m_hovered = 0;
   std::string m_message;

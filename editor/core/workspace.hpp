@@ -1,8 +1,11 @@
 #pragma once
 // Everything the editor is without its window: the app owns one, feeds it events and draws what it says.
 
+#include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
+#include <string_view>
 
 #include "editor/core/actions.hpp"
 #include "editor/core/camera_control.hpp"
@@ -77,8 +80,11 @@ class Workspace {
   /// Shows the ids, or everything that the project has and else its field.
   void frame(std::span<const Id> ids);
 
+  /// Through the callbacks, or within the editor where there are none.
+  void writeClipboardText(const std::string& text);
+  [[nodiscard]] std::string clipboardText() const;
+
  private:
-  friend void registerCoreActions(Workspace& workspace);
   void takeToolMessage();
   void afterChange();
 
@@ -90,8 +96,8 @@ class Workspace {
 
 /// Adds file, edit, select, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
 /// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
-/// edit.duplicate edit.delete; select.all select.none select.invert select.linked; graph.extrude graph.merge
-/// graph.split graph.reverse graph.reparent graph.mute graph.hide graph.show_all graph.isolate graph.lock
+/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked; graph.extrude graph.merge
+/// graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all graph.isolate graph.lock graph.unlock_all
 /// graph.strength_up graph.strength_down graph.radius_up graph.radius_down; tool.select tool.move tool.rotate
 /// tool.scale tool.draw tool.obstacle tool.probe tool.delete tool.cancel; view.frame view.frame_all view.top
 /// view.front view.side view.orthographic; snap.grid snap.angle snap.points.

@@ -1,0 +1,289 @@
+// The actions that need no window, by menu.
+#include <utility>
+
+#include "editor/core/clipboard.hpp"
+#include "editor/core/graph_edits.hpp"
+#include "editor/core/move_drag.hpp"
+#include "editor/core/object_edits.hpp"
+#include "editor/core/workspace.hpp"
+
+namespace windloom::editor {
+namespace {
+
+constexpr float kStepFactor = 1.1f;  // one press of a strength or radius key
+
+/// Adds actions of one category to a workspace's table.
+class Adder {
+ public:
+  Adder(Workspace& workspace, std::string category) : w(workspace), m_category(std::move(category)) {}
+
+  void add(Action action, std::initializer_list<const char*> shortcuts) {
+    action.category = m_category;
+    for (const char* text : shortcuts) {
+      const auto shortcut = parseShortcut(text);
+      WL_REQUIRE(shortcut.has_value(), "a default shortcut can't be read");
+      action.shortcuts.push_back(*shortcut);
+    }
+    w.actions.add(std::move(action));
+  }
+
+  /// An action on what is selected.
+  void onSelection(std::string id, std::string label, std::string help, std::initializer_list<const char*> shortcuts,
+                   std::function<void(Workspace&)> work, bool repeats = false) {
+    Workspace* workspace = &w;
+    Action action;
+    action.id = std::move(id);
+    action.label = std::move(label);
+    action.help = std::move(help);
+    action.run = [workspace, work = std::move(work)] { work(*workspace); };
+    action.enabled = [workspace] { return !workspace->selection.empty(); };
+    action.repeats = repeats;
+    add(std::move(action), shortcuts);
+  }
+
+  void always(std::string id, std::string label, std::string help, std::initializer_list<const char*> shortcuts,
+              std::function<void(Workspace&)> work, std::function<bool(Workspace&)> checked = {}) {
+    Workspace* workspace = &w;
+    Action action;
+    action.id = std::move(id);
+    action.label = std::move(label);
+    action.help = std::move(help);
+    action.run = [workspace, work = std::move(work)] { work(*workspace); };
+    if (checked) action.checked = [workspace, checked = std::move(checked)] { return checked(*workspace); };
+    add(std::move(action), shortcuts);
+  }
+
+  Workspace& w;
+
+ private:
+  std::string m_category;
+};
+
+void addFileActions(Workspace& workspace) {
+  Adder file(workspace, "File");
+  file.always("file.new", "New", "Starts an empty project", {"Ctrl+N"}, [](Workspace& w) { w.flow.requestNew(); });
+  file.always("file.open", "Open...", "Opens a project", {"Ctrl+O"}, [](Workspace& w) { w.flow.requestOpen(); });
+  file.always("file.save", "Save", "Writes the project to its file; the old one stays as .bak", {"Ctrl+S"},
+              [](Workspace& w) { w.flow.requestSave(); });
+  file.always("file.save_as", "Save as...", "Writes the project to another file", {"Ctrl+Shift+S"},
+              [](Workspace& w) { w.flow.requestSaveAs(); });
+  file.always("file.quit", "Quit", "Closes the editor", {"Ctrl+Q"}, [](Workspace& w) { w.flow.requestQuit(); });
+}
+
+void addHistoryActions(Workspace& workspace) {
+  Adder edit(workspace, "Edit");
+  Workspace* w = &workspace;
+  Action undo{.id = "edit.undo", .label = "Undo", .category = {}, .help = "Takes the last edit back"};
+  undo.run = [w] { w->undo(); };
+  undo.enabled = [w] { return w->document.history().canUndo(); };
+  undo.dynamicLabel = [w] { return w->document.undoLabel(); };
+  undo.repeats = true;
+  edit.add(std::move(undo), {"Ctrl+Z"});
+  Action redo{.id = "edit.redo", .label = "Redo", .category = {}, .help = "Does again what was taken back"};
+  redo.run = [w] { w->redo(); };
+  redo.enabled = [w] { return w->document.history().canRedo(); };
+  redo.dynamicLabel = [w] { return w->document.redoLabel(); };
+  redo.repeats = true;
+  edit.add(std::move(redo), {"Ctrl+Shift+Z", "Ctrl+Y"});
+}
+
+void deleteSelected(Workspace& w) { w.apply(deleteEdit(w.document.committed(), w.selection.ids())); }
+
+/// Copies beside the originals, as far off as 24 pixels are there.
+void duplicateSelected(Workspace& w) {
+  const auto pivot = pivotOf(w.document.committed(), w.selection.ids());
+  const float metres = 24.0f * w.view().metresPerPixel(w.ground.lift(pivot.value_or(glm::vec2(0.0f))));
+  DuplicateResult copies = duplicateEdit(w.document.committed(), w.selection.ids(), glm::vec2(metres));
+  if (w.apply(copies.edit)) w.selection.replace(std::move(copies.ids));
+}
+
+/// Copies that follow the pointer until a click.
+void grabCopies(Workspace& w) {
+  ToolContext context = w.context();
+  const auto place = context.groundAt(w.pointer());
+  if (!place) return;
+  const glm::vec2 anchor = pivotOf(w.document.committed(), w.selection.ids()).value_or(*place);
+  PointerEvent pointer;
+  pointer.pixel = w.pointer();
+  w.tools.startDrag(context, std::make_unique<MoveDrag>(context, *place, anchor, MoveWhat::Copies), pointer);
+}
+
+void addEditActions(Workspace& workspace) {
+  Adder edit(workspace, "Edit");
+  edit.onSelection("edit.cut", "Cut", "Copies the selection and deletes it", {"Ctrl+X"}, [](Workspace& w) {
+    copySelection(w);
+    deleteSelected(w);
+  });
+  edit.onSelection("edit.copy", "Copy", "Copies the selection as text that can be mailed", {"Ctrl+C"},
+                   [](Workspace& w) { copySelection(w); });
+  edit.always("edit.paste", "Paste", "Puts what was copied under the pointer", {"Ctrl+V"},
+              [](Workspace& w) { pasteAtPointer(w); });
+  edit.onSelection("edit.duplicate", "Duplicate", "Copies the selection beside itself", {"Ctrl+D"}, duplicateSelected);
+  edit.onSelection("edit.duplicate_move", "Duplicate and move", "Copies that follow the pointer until a click",
+                   {"Shift+D"}, grabCopies);
+  edit.onSelection("edit.delete", "Delete", "Deletes the selection", {"Del", "X"}, deleteSelected);
+}
+
+void addSelectActions(Workspace& workspace) {
+  Adder select(workspace, "Select");
+  select.always("select.all", "All", "Selects everything that is not hidden or locked", {"A"},
+                [](Workspace& w) { w.selection.replace(selectableIds(w.document.project())); });
+  select.always("select.none", "None", "Selects nothing", {"Alt+A", "Esc"}, [](Workspace& w) { w.selection.clear(); });
+  select.always("select.invert", "Invert", "Selects what is not selected", {"Ctrl+I"}, [](Workspace& w) {
+    const std::vector<Id> all = selectableIds(w.document.project());
+    windloom::editor::select(w.selection, all, SelectMode::Toggle);
+  });
+  select.onSelection("select.linked", "Whole tree", "Adds all that is joined to the selection", {"Ctrl+L"},
+                     [](Workspace& w) { w.selection.replace(linkedIds(w.document.project(), w.selection.ids())); });
+}
+
+/// A new branch from the selected point, or from the end of the selected arrow, to the pointer.
+void extrude(Workspace& w) {
+  const Project& project = w.document.committed();
+  const Arrow* arrow = findArrow(*project.graph, w.selection.active());
+  const Id from = arrow ? arrow->to : w.selection.active();
+  const auto place = w.context().groundAt(w.pointer());
+  if (!findPoint(*project.graph, from) || !place) {
+    w.say(MessageKind::Warning, "Select a point, and hold the pointer where the new one is to be");
+    return;
+  }
+  BranchResult branch = branchEdit(project, from, *place, arrow ? *arrow : w.toolSettings.newArrow);
+  branch.edit.label = "Extrude";
+  if (w.apply(branch.edit)) w.selection.replace(branch.point);
+}
+
+void reportIfNothing(Workspace& w, const Edit& edit, const char* what) {
+  if (edit.steps.empty()) {
+    w.say(MessageKind::Warning, what);
+  } else {
+    w.apply(edit);
+  }
+}
+
+void addGraphActions(Workspace& workspace) {
+  Adder graph(workspace, "Graph");
+  graph.onSelection("graph.extrude", "Extrude", "Adds a branch from the selected point to the pointer", {"Shift+E"},
+                    extrude);
+  graph.onSelection("graph.merge", "Merge points", "Merges the selected points into one; their flows merge", {"Ctrl+J"},
+                    [](Workspace& w) {
+                      reportIfNothing(w, mergePointsEdit(w.document.committed(), w.selection.ids()),
+                                      "Select two points or more to merge them");
+                    });
+  graph.onSelection("graph.split", "Split", "Cuts the tree at the selected points", {"Y"}, [](Workspace& w) {
+    SplitResult split = splitEdit(w.document.committed(), w.selection.ids());
+    if (split.points.empty()) {
+      w.say(MessageKind::Warning, "Select a point where arrows meet to split it");
+    } else if (w.apply(split.edit)) {
+      w.selection.replace(std::move(split.points));
+    }
+  });
+  graph.onSelection("graph.dissolve", "Dissolve points", "Takes points out; the arrows before and after become one",
+                    {"Ctrl+Del"},
+                    [](Workspace& w) { w.apply(dissolveEdit(w.document.committed(), w.selection.ids())); });
+  graph.onSelection("graph.reverse", "Reverse", "Turns the selected arrows around", {"Ctrl+R"},
+                    [](Workspace& w) { w.apply(reverseEdit(w.document.committed(), w.selection.ids())); });
+  graph.onSelection("graph.reparent", "Reparent", "Lets the selected points branch from the last selected one",
+                    {"Ctrl+P"}, [](Workspace& w) {
+                      reportIfNothing(w, reparentEdit(w.document.committed(), w.selection.ids()),
+                                      "Select points that have a parent, then the new parent");
+                    });
+}
+
+void toggleFlag(Workspace& w, Flag flag) {
+  const Project& project = w.document.committed();
+  w.apply(flagEdit(project, w.selection.ids(), flag, !allFlagged(project, w.selection.ids(), flag)));
+}
+
+/// Hides all but the selection; a second time shows all again.
+void isolate(Workspace& w) {
+  const Edit edit = isolateEdit(w.document.committed(), w.selection.ids());
+  w.apply(edit.steps.empty() || w.selection.empty() ? clearFlagEdit(w.document.committed(), Flag::Hidden) : edit);
+}
+
+void addFlagActions(Workspace& workspace) {
+  Adder graph(workspace, "Graph");
+  graph.onSelection("graph.mute", "Mute", "Lets the selected arrows blow or not", {"M"},
+                    [](Workspace& w) { toggleFlag(w, Flag::Muted); });
+  graph.onSelection("graph.hide", "Hide", "Draws the selection no more", {"H"}, [](Workspace& w) {
+    if (w.apply(flagEdit(w.document.committed(), w.selection.ids(), Flag::Hidden, true))) w.selection.clear();
+  });
+  graph.always("graph.show_all", "Show all", "Shows what was hidden", {"Alt+H"},
+               [](Workspace& w) { w.apply(clearFlagEdit(w.document.committed(), Flag::Hidden)); });
+  graph.always("graph.isolate", "Isolate", "Hides all but the selection; again shows all", {"Numpad /"}, isolate);
+  graph.onSelection("graph.lock", "Lock", "Locked things can't be picked in the view", {},
+                    [](Workspace& w) { toggleFlag(w, Flag::Locked); });
+  graph.always("graph.unlock_all", "Unlock all", "Lets locked things be picked again", {},
+               [](Workspace& w) { w.apply(clearFlagEdit(w.document.committed(), Flag::Locked)); });
+  const auto steps = [&](const char* id, const char* label, const char* shortcut, auto make, float factor) {
+    graph.onSelection(
+        id, label, "", {shortcut},
+        [make, factor](Workspace& w) { w.apply(make(w.document.committed(), w.selection.ids(), factor)); }, true);
+  };
+  steps("graph.strength_up", "Stronger", "Shift+]", scaleStrengthEdit, kStepFactor);
+  steps("graph.strength_down", "Weaker", "Shift+[", scaleStrengthEdit, 1.0f / kStepFactor);
+  steps("graph.radius_up", "Wider", "]", scaleRadiusEdit, kStepFactor);
+  steps("graph.radius_down", "Narrower", "[", scaleRadiusEdit, 1.0f / kStepFactor);
+}
+
+void addToolActions(Workspace& workspace) {
+  Adder tools(workspace, "Tools");
+  constexpr std::pair<const char*, const char*> keys[] = {{"select", "Q"}, {"move", "W"},     {"rotate", "E"},
+                                                          {"scale", "R"},  {"draw", "D"},     {"obstacle", "O"},
+                                                          {"probe", "P"},  {"delete", nullptr}};
+  for (const auto& [id, key] : keys) {
+    const std::string tool = id;
+    std::string label;
+    for (const auto& candidate : workspace.tools.tools()) {
+      if (candidate->id() == tool) label = candidate->label();
+    }
+    const auto run = [tool](Workspace& w) { w.activateTool(tool); };
+    const auto checked = [tool](Workspace& w) { return w.tools.active().id() == tool; };
+    if (key) {
+      tools.always("tool." + tool, label, "", {key}, run, checked);
+    } else {
+      tools.always("tool." + tool, label + " tool", "", {}, run, checked);
+    }
+  }
+  tools.always("tool.cancel", "Cancel", "Ends what is under way", {}, [](Workspace& w) { w.focusLost(); });
+  const auto snapSwitch = [&](const char* id, const char* label, const char* help, bool SnapSettings::*flag) {
+    tools.always(
+        id, label, help, {}, [flag](Workspace& w) { w.toolSettings.snap.*flag = !(w.toolSettings.snap.*flag); },
+        [flag](Workspace& w) { return w.toolSettings.snap.*flag; });
+  };
+  snapSwitch("snap.grid", "Snap to grid", "Ctrl while dragging turns it around", &SnapSettings::grid);
+  snapSwitch("snap.angle", "Snap angles", "Ctrl while dragging turns it around", &SnapSettings::angle);
+  snapSwitch("snap.points", "Snap to points", "Drawn arrows join the points they end at", &SnapSettings::points);
+}
+
+void addViewActions(Workspace& workspace) {
+  Adder view(workspace, "View");
+  view.always("view.frame", "Frame selection", "Shows the selection, or everything", {"F"},
+              [](Workspace& w) { w.frame(w.selection.ids()); });
+  view.always("view.frame_all", "Frame all", "Shows everything", {"Shift+F", "Home"},
+              [](Workspace& w) { w.frame({}); });
+  view.always("view.top", "Top view", "Looks straight down", {"Numpad 7"},
+              [](Workspace& w) { w.camera = lookAlong(w.camera, ViewDirection::Top); });
+  view.always("view.front", "Front view", "Looks along -Z", {"Numpad 1"},
+              [](Workspace& w) { w.camera = lookAlong(w.camera, ViewDirection::Front); });
+  view.always("view.side", "Side view", "Looks along -X", {"Numpad 3"},
+              [](Workspace& w) { w.camera = lookAlong(w.camera, ViewDirection::Side); });
+  view.always(
+      "view.orthographic", "Orthographic", "Without perspective", {"Numpad 5"},
+      [](Workspace& w) { w.camera.orthographic = !w.camera.orthographic; },
+      [](Workspace& w) { return w.camera.orthographic; });
+}
+
+}  // namespace
+
+void registerCoreActions(Workspace& workspace) {
+  addFileActions(workspace);
+  addHistoryActions(workspace);
+  addEditActions(workspace);
+  addSelectActions(workspace);
+  addGraphActions(workspace);
+  addFlagActions(workspace);
+  addToolActions(workspace);
+  addViewActions(workspace);
+}
+
+}  // namespace windloom::editor

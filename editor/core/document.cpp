@@ -1,0 +1,116 @@
+#include "editor/core/document.hpp"
+
+#include "engine/core/log.hpp"
+#include "engine/io/project_json.hpp"
+
+namespace windloom::editor {
+
+Document::Document() : m_history(Project{}) {}
+
+Status Document::apply(const Edit& edit) {
+  endPreview();
+  if (edit.steps.empty()) return Done{};
+  Result<Project> result = applyEdit(committed(), edit);
+  if (!result) return result.error();
+  if (result->sameAs(committed())) return Done{};
+  m_history.push(std::move(*result), edit.label, edit.mergeKey);
+  touched();
+  return Done{};
+}
+
+Status Document::preview(const Edit& edit) {
+  if (edit.steps.empty()) {
+    endPreview();
+    return Done{};
+  }
+  Result<Project> result = applyEdit(committed(), edit);
+  if (!result) return result.error();
+  m_preview = std::move(*result);
+  m_previewing = true;
+  touched();
+  return Done{};
+}
+
+bool Document::endPreview() {
+  if (!m_previewing) return false;
+  m_previewing = false;
+  m_preview = Project{};
+  touched();
+  return true;
+}
+
+bool Document::undo() {
+  endPreview();
+  if (!m_history.undo()) return false;
+  touched();
+  return true;
+}
+
+bool Document::redo() {
+  endPreview();
+  if (!m_history.redo()) return false;
+  touched();
+  return true;
+}
+
+bool Document::jump(std::size_t entry) {
+  endPreview();
+  if (entry == m_history.position() || !m_history.jump(entry)) return false;
+  touched();
+  return true;
+}
+
+std::string Document::undoLabel() const {
+  return m_history.canUndo() ? "Undo " + m_history.entries()[m_history.position()].label : "Undo";
+}
+
+std::string Document::redoLabel() const {
+  return m_history.canRedo() ? "Redo " + m_history.entries()[m_history.position() + 1].label : "Redo";
+}
+
+std::string Document::title() const {
+  const std::string name = m_path.empty() ? committed().name : m_path.filename().string();
+  return name + (dirty() ? "*" : "") + " - Windloom";
+}
+
+void Document::startNew(Project start) {
+  endPreview();
+  m_history = History(std::move(start));
+  m_path.clear();
+  touched();
+}
+
+Status Document::open(const std::filesystem::path& path) {
+  Result<LoadedProject> loaded = loadProject(path);
+  if (!loaded) return loaded.error();
+  for (const Problem& warning : loaded->warnings) logWarning(warning.text());
+  endPreview();
+  m_history = History(std::move(loaded->project));
+  m_path = path;
+  touched();
+  return Done{};
+}
+
+Status Document::save() {
+  if (m_path.empty()) return makeError(ErrorKind::Usage, "the project has no file yet");
+  return saveAs(m_path);
+}
+
+Status Document::saveAs(const std::filesystem::path& path) {
+  const Status status = saveProject(committed(), path);
+  if (!status) return status;
+  m_path = path;
+  m_history.markSaved();
+  touched();
+  return status;
+}
+
+void Document::recover(Project project, std::filesystem::path path) {
+  endPreview();
+  m_history = History(std::move(project));
+  m_history.markUnsaved();
+  m_path = std::move(path);
+  touched();
+}
+
+}  // namespace windloom::editor

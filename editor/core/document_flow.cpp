@@ -1,0 +1,143 @@
+#include "editor/core/document_flow.hpp"
+
+#include <system_error>
+#include <utility>
+
+namespace windloom::editor {
+namespace fs = std::filesystem;
+
+void DocumentFlow::requestNew(Project start) {
+  m_start = std::move(start);
+  begin(Then::New);
+}
+
+void DocumentFlow::requestOpen() {
+  m_openPath.reset();
+  begin(Then::Open);
+}
+
+void DocumentFlow::requestOpen(fs::path path) {
+  m_openPath = std::move(path);
+  begin(Then::Open);
+}
+
+void DocumentFlow::requestSave() {
+  m_then = Then::Nothing;
+  if (m_document.path().empty()) {
+    m_prompt = Prompt::ChooseSavePath;
+  } else {
+    saveTo(m_document.path());
+  }
+}
+
+void DocumentFlow::requestSaveAs() {
+  m_then = Then::Nothing;
+  m_prompt = Prompt::ChooseSavePath;
+}
+
+void DocumentFlow::requestQuit() { begin(Then::Quit); }
+
+void DocumentFlow::begin(Then then) {
+  m_then = then;
+  m_prompt = Prompt::None;
+  if (m_document.dirty()) {
+    m_prompt = Prompt::SaveChanges;
+  } else {
+    proceed();
+  }
+}
+
+/// Nothing stands in the way any more.
+void DocumentFlow::proceed() {
+  m_prompt = Prompt::None;
+  const Then then = std::exchange(m_then, Then::Nothing);
+  if (then == Then::Quit) {
+    m_quit = true;
+  } else if (then == Then::New) {
+    m_document.startNew(std::exchange(m_start, Project{}));
+    if (onReplaced) onReplaced();
+  } else if (then == Then::Open && !m_openPath) {
+    m_then = Then::Open;
+    m_prompt = Prompt::ChooseOpenPath;
+  } else if (then == Then::Open) {
+    const fs::path path = *std::exchange(m_openPath, std::nullopt);
+    const Status status = m_document.open(path);
+    if (!status) {
+      fail(status.error());
+      return;
+    }
+    if (onReplaced) onReplaced();
+    if (onFileUsed) onFileUsed(path);
+    if (onDone) onDone("Opened " + path.filename().string());
+  }
+}
+
+void DocumentFlow::answerSaveChanges(SaveAnswer answer) {
+  if (m_prompt != Prompt::SaveChanges) return;
+  if (answer == SaveAnswer::Cancel) {
+    cancel();
+  } else if (answer == SaveAnswer::DontSave) {
+    proceed();
+  } else if (m_document.path().empty()) {
+    m_prompt = Prompt::ChooseSavePath;
+  } else {
+    saveTo(m_document.path());
+  }
+}
+
+void DocumentFlow::answerPath(fs::path path) {
+  if (path.empty()) {
+    cancel();
+  } else if (m_prompt == Prompt::ChooseOpenPath) {
+    m_openPath = std::move(path);
+    proceed();
+  } else if (m_prompt == Prompt::ChooseSavePath) {
+    if (!path.has_extension()) path += ".wind.json";
+    std::error_code ignored;
+    const bool other = path != m_document.path();
+    m_path = std::move(path);
+    if (other && fs::exists(m_path, ignored)) {
+      m_prompt = Prompt::ConfirmOverwrite;
+    } else {
+      saveTo(m_path);
+    }
+  }
+}
+
+void DocumentFlow::answerOverwrite(bool overwrite) {
+  if (m_prompt != Prompt::ConfirmOverwrite) return;
+  if (overwrite) {
+    saveTo(m_path);
+  } else {
+    m_prompt = Prompt::ChooseSavePath;
+  }
+}
+
+void DocumentFlow::cancel() {
+  m_prompt = Prompt::None;
+  m_then = Then::Nothing;
+  m_openPath.reset();
+  m_start = Project{};
+}
+
+void DocumentFlow::saveTo(const fs::path& target) {
+  // A copy: the path may be the document's own.
+  const fs::path path = target;
+  m_prompt = Prompt::None;
+  const Status status = m_document.saveAs(path);
+  if (!status) {
+    // Whatever should have followed would lose the work.
+    cancel();
+    fail(status.error());
+    return;
+  }
+  if (onFileUsed) onFileUsed(path);
+  if (onDone) onDone("Saved " + path.filename().string());
+  proceed();
+}
+
+void DocumentFlow::fail(const Error& error) {
+  if (onFailure) onFailure(error);
+}
+
+}  // namespace windloom::editor

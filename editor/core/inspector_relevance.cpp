@@ -1,0 +1,29 @@
+#include "editor/core/inspector_relevance.hpp"
+
+namespace windloom::editor {
+
+bool isRelevant(const Arrow& arrow, std::string_view key) { return key != "response" || arrow.drive == Drive::Speed; }
+
+bool isRelevant(const Signal& signal, std::string_view key) {
+  if (key == "on" || key == "release") return signal.kind == SignalKind::Pulse;
+  if (key == "period") return signal.kind == SignalKind::Pulse || (signal.kind == SignalKind::Curve && signal.loop);
+  if (key == "depth" || key == "rate" || key == "seed") return signal.kind == SignalKind::Gusts;
+  return key != "loop" || signal.kind == SignalKind::Curve;
+}
+
+bool isRelevant(const Obstacle& obstacle, std::string_view key) {
+  if (key == "radius") return obstacle.shape == ObstacleShape::Circle;
+  if (key == "size" || key == "rotation") return obstacle.shape == ObstacleShape::Box;
+  return true;
+}
+
+bool isRelevant(const SolverSettings& solver, std::string_view key) {
+  if (key == "sweeps") return solver.pressure == Pressure::Jacobi;
+  return (key != "maxCycles" && key != "divergenceTolerance") || solver.pressure == Pressure::Multigrid;
+}
+
+bool isRelevant(const GrassSettings& grass, std::string_view key) {
+  return key != "restBlend" || grass.deformation == Deformation::Quadratic;
+}
+
+}  // namespace windloom::editor

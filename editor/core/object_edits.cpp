@@ -1,0 +1,201 @@
+#include "editor/core/object_edits.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "editor/core/id_index.hpp"
+#include "editor/core/selection.hpp"
+#include "engine/model/parameters.hpp"
+
+namespace windloom::editor {
+namespace {
+
+Edit named(std::string label, std::string mergeKey = {}) {
+  Edit edit;
+  edit.label = std::move(label);
+  edit.mergeKey = std::move(mergeKey);
+  return edit;
+}
+
+std::unordered_set<Id> setOf(std::span<const Id> ids) { return {ids.begin(), ids.end()}; }
+
+/// Steps of the same thing on the same ids merge.
+std::string keyOf(std::string what, std::span<const Id> ids) {
+  std::uint64_t hash = 14695981039346656037ull;  // FNV-1a over the ids
+  for (const Id id : ids) hash = (hash ^ id) * 1099511628211ull;
+  return what.append(1, ':').append(std::to_string(hash));
+}
+
+template <class Owner>
+float clampTo(std::string_view key, float value) {
+  for (const Parameter<Owner>& parameter : parametersOf<Owner>()) {
+    if (parameter.info.key == key) {
+      return std::clamp(value, static_cast<float>(parameter.info.min), static_cast<float>(parameter.info.max));
+    }
+  }
+  return value;
+}
+
+/// Applies `change` to a copy of each record whose id is in `ids`.
+template <class T, class Change>
+void putEach(Edit& edit, const std::vector<T>& records, const std::unordered_set<Id>& ids, Change change) {
+  for (const T& record : records) {
+    if (!ids.contains(record.id)) continue;
+    T copy = record;
+    change(copy);
+    edit.steps.emplace_back(Put<T>{std::move(copy)});
+  }
+}
+
+}  // namespace
+
+std::vector<Id> movableIds(const Project& project, std::span<const Id> ids) {
+  const IdIndex index(project);
+  std::unordered_set<Id> locked, open;
+  for (const Arrow& arrow : project.graph->arrows) (arrow.locked ? locked : open).insert({arrow.from, arrow.to});
+  std::vector<Id> movable;
+  std::unordered_set<Id> seen;
+  const auto add = [&](Id id) {
+    if (seen.insert(id).second) movable.push_back(id);
+  };
+  const auto addPoint = [&](Id id) {
+    if (open.contains(id) || !locked.contains(id)) add(id);
+  };
+  for (const Id id : ids) {
+    if (index.point(id)) addPoint(id);
+    if (const Arrow* arrow = index.arrow(id); arrow && !arrow->locked) {
+      addPoint(arrow->from);
+      addPoint(arrow->to);
+    }
+    if (const Obstacle* obstacle = index.obstacle(id); obstacle && !obstacle->locked) add(id);
+    if (const Probe* probe = index.probe(id); probe && !probe->locked) add(id);
+  }
+  return movable;
+}
+
+std::optional<glm::vec2> pivotOf(const Project& project, std::span<const Id> ids) {
+  const IdIndex index(project);
+  glm::vec2 sum(0.0f);
+  const std::vector<Id> movable = movableIds(project, ids);
+  for (const Id id : movable) {
+    if (const Point* point = index.point(id)) sum += point->position;
+    if (const Obstacle* obstacle = index.obstacle(id)) sum += obstacle->centre;
+    if (const Probe* probe = index.probe(id)) sum += probe->position;
+  }
+  if (movable.empty()) return std::nullopt;
+  return sum / static_cast<float>(movable.size());
+}
+
+Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, float scale) {
+  const float c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
+  const auto placed = [&](glm::vec2 at) {
+    const glm::vec2 d = (at - pivot) * scale;
+    return pivot + glm::vec2(d.x * c - d.y * s, d.x * s + d.y * c);
+  };
+  Edit edit = named(scale == 1.0f ? "Rotate" : "Scale");
+  const std::unordered_set<Id> moved = setOf(movableIds(project, ids));
+  putEach(edit, project.graph->points, moved, [&](Point& point) { point.position = placed(point.position); });
+  putEach(edit, *project.obstacles, moved, [&](Obstacle& obstacle) {
+    obstacle.centre = placed(obstacle.centre);
+    obstacle.rotation = std::remainder(obstacle.rotation + degrees, 360.0f);
+    obstacle.radius = clampTo<Obstacle>("radius", obstacle.radius * scale);
+    obstacle.size = {clampTo<Obstacle>("size", obstacle.size.x * scale),
+                     clampTo<Obstacle>("size", obstacle.size.y * scale)};
+  });
+  putEach(edit, *project.probes, moved, [&](Probe& probe) { probe.position = placed(probe.position); });
+  return edit;
+}
+
+std::vector<Id> arrowsOf(const Project& project, std::span<const Id> ids) {
+  const std::unordered_set<Id> chosen = setOf(ids);
+  std::vector<Id> found;
+  for (const Arrow& arrow : project.graph->arrows) {
+    if (chosen.contains(arrow.id) || (chosen.contains(arrow.from) && chosen.contains(arrow.to))) {
+      found.push_back(arrow.id);
+    }
+  }
+  if (!found.empty()) return found;
+  for (const Arrow& arrow : project.graph->arrows) {
+    if (chosen.contains(arrow.from) || chosen.contains(arrow.to)) found.push_back(arrow.id);
+  }
+  return found;
+}
+
+Edit scaleStrengthEdit(const Project& project, std::span<const Id> ids, float factor) {
+  const std::vector<Id> arrows = arrowsOf(project, ids);
+  Edit edit = named("Change strength", keyOf("strength", arrows));
+  putEach(edit, project.graph->arrows, setOf(arrows),
+          [&](Arrow& arrow) { arrow.strength = clampTo<Arrow>("strength", arrow.strength * factor); });
+  return edit;
+}
+
+Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float factor) {
+  const std::vector<Id> arrows = arrowsOf(project, ids);
+  Edit edit = named("Change radius", keyOf("radius", ids));
+  putEach(edit, project.graph->arrows, setOf(arrows),
+          [&](Arrow& arrow) { arrow.radius = clampTo<Arrow>("radius", arrow.radius * factor); });
+  putEach(edit, *project.obstacles, setOf(ids), [&](Obstacle& obstacle) {
+    obstacle.radius = clampTo<Obstacle>("radius", obstacle.radius * factor);
+    obstacle.size = {clampTo<Obstacle>("size", obstacle.size.x * factor),
+                     clampTo<Obstacle>("size", obstacle.size.y * factor)};
+  });
+  return edit;
+}
+
+Edit renameEdit(const Project& project, Id id, std::string name) {
+  Edit edit = named("Rename");
+  const std::unordered_set<Id> one{id};
+  const auto change = [&](auto& record) { record.name = name; };
+  if (nameOf(project, id) == name) return edit;
+  putEach(edit, project.graph->points, one, change);
+  putEach(edit, project.graph->arrows, one, change);
+  putEach(edit, *project.obstacles, one, change);
+  putEach(edit, *project.probes, one, change);
+  putEach(edit, *project.cameras, one, change);
+  return edit;
+}
+
+AddResult addObstacleEdit(const Project& project, Obstacle obstacle) {
+  AddResult result{named("Add obstacle"), nextFreeId(project)};
+  obstacle.id = result.id;
+  result.edit.steps.emplace_back(Put<Obstacle>{std::move(obstacle)});
+  return result;
+}
+
+AddResult addProbeEdit(const Project& project, Probe probe) {
+  AddResult result{named("Add probe"), nextFreeId(project)};
+  probe.id = result.id;
+  result.edit.steps.emplace_back(Put<Probe>{std::move(probe)});
+  return result;
+}
+
+Edit deleteEdit(const Project& project, std::span<const Id> ids) {
+  const IdIndex index(project);
+  std::vector<Id> erased;
+  std::unordered_set<Id> gone;
+  for (const Id id : ids) {
+    if (index.contains(id) && gone.insert(id).second) erased.push_back(id);
+  }
+  if (erased.empty()) return named("Delete");
+  std::unordered_set<Id> losing, keeping;
+  for (const Arrow& arrow : project.graph->arrows) {
+    const bool goes = gone.contains(arrow.id) || gone.contains(arrow.from) || gone.contains(arrow.to);
+    (goes ? losing : keeping).insert({arrow.from, arrow.to});
+  }
+  std::string what = erased.size() == 1 ? kindLabel(index.find(erased[0])->kind) : describeIds(project, erased);
+  what[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(what[0])));
+  for (const Point& point : project.graph->points) {
+    if (losing.contains(point.id) && !keeping.contains(point.id) && gone.insert(point.id).second) {
+      erased.push_back(point.id);
+    }
+  }
+  Edit edit = eraseEdit(std::move(erased));
+  edit.label = "Delete " + what;
+  return edit;
+}
+
+}  // namespace windloom::editor

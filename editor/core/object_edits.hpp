@@ -1,0 +1,61 @@
+#pragma once
+// Edits of whatever is selected, of any kind: transform, copy, flags, values, add, delete. Pure as those of
+// engine/model/edit.hpp. Ids that don't exist are ignored; an edit without steps means there was nothing to do.
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/model/edit.hpp"
+
+namespace windloom::editor {
+
+/// What a move takes along: points, obstacles and probes of the ids, and both ends of arrows; nothing locked.
+std::vector<Id> movableIds(const Project& project, std::span<const Id> ids);
+/// Positions turned by `degrees` (from +X towards +Z) and scaled around `pivot`; boxes turn, circles and boxes
+/// scale along. `scale` must be above 0.
+Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, float scale);
+/// Mean position of what the ids move.
+std::optional<glm::vec2> pivotOf(const Project& project, std::span<const Id> ids);
+
+struct DuplicateResult {
+  Edit edit;
+  std::vector<Id> ids;  ///< the copies of `ids`, in their order
+};
+/// Copies moved by `offset`: arrows with their ends, points with the arrows between them, signals of copied roots.
+DuplicateResult duplicateEdit(const Project& project, std::span<const Id> ids, glm::vec2 offset);
+/// The same with everything of another project as the originals (paste).
+DuplicateResult insertProjectEdit(const Project& project, const Project& pieces, glm::vec2 offset);
+/// A project that holds only the ids (and the ends of arrows), for copying.
+Project extract(const Project& project, std::span<const Id> ids);
+
+/// Selected arrows, and those with both ends selected; where there are none, those that touch a selected point.
+std::vector<Id> arrowsOf(const Project& project, std::span<const Id> ids);
+
+enum class Flag { Hidden, Muted, Locked };
+/// Sets the flag of arrowsOf, obstacles and probes (probes can't be muted).
+Edit flagEdit(const Project& project, std::span<const Id> ids, Flag flag, bool on);
+/// Whether all that could carry the flag do.
+bool allFlagged(const Project& project, std::span<const Id> ids, Flag flag);
+/// Clears the flag everywhere.
+Edit clearFlagEdit(const Project& project, Flag flag);
+/// Hides everything but the ids and what they are joined to by an arrow among them.
+Edit isolateEdit(const Project& project, std::span<const Id> ids);
+
+/// Strength of arrowsOf times `factor`, kept within its range; repeated steps merge.
+Edit scaleStrengthEdit(const Project& project, std::span<const Id> ids, float factor);
+/// Radius of arrowsOf and of circles times `factor`.
+Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float factor);
+
+Edit renameEdit(const Project& project, Id id, std::string name);
+struct AddResult {
+  Edit edit;
+  Id id = 0;
+};
+AddResult addObstacleEdit(const Project& project, Obstacle obstacle);
+AddResult addProbeEdit(const Project& project, Probe probe);
+/// Erases the ids, the arrows at erased points, and the points that lose their last arrow by it.
+Edit deleteEdit(const Project& project, std::span<const Id> ids);
+
+}  // namespace windloom::editor

@@ -1,0 +1,114 @@
+#include "editor/core/object_kind.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "editor/core/id_index.hpp"
+
+namespace windloom::editor {
+namespace {
+
+template <class T>
+const T* findIn(const std::vector<T>& records, Id id) {
+  const auto found = std::find_if(records.begin(), records.end(), [&](const T& record) { return record.id == id; });
+  return found == records.end() ? nullptr : &*found;
+}
+
+/// Whether the point has arrows and `flag` is set on all of them.
+bool allArrowsOfPoint(const WindGraph& graph, Id point, bool Arrow::*flag) {
+  bool any = false;
+  for (const Arrow& arrow : graph.arrows) {
+    if (arrow.from != point && arrow.to != point) continue;
+    if (!(arrow.*flag)) return false;
+    any = true;
+  }
+  return any;
+}
+
+bool flagged(const Project& project, Id id, bool Arrow::*arrowFlag, bool Obstacle::*obstacleFlag,
+             bool Probe::*probeFlag) {
+  if (const Arrow* arrow = findArrow(*project.graph, id)) return arrow->*arrowFlag;
+  if (findPoint(*project.graph, id)) return allArrowsOfPoint(*project.graph, id, arrowFlag);
+  if (const Obstacle* obstacle = findObstacle(project, id)) return obstacle->*obstacleFlag;
+  if (const Probe* probe = findProbe(project, id)) return probe->*probeFlag;
+  return false;
+}
+
+void include(std::optional<GroundBounds>& bounds, glm::vec2 low, glm::vec2 high) {
+  if (!bounds) {
+    bounds = GroundBounds{low, high};
+  } else {
+    bounds->low = glm::min(bounds->low, low);
+    bounds->high = glm::max(bounds->high, high);
+  }
+}
+
+void includePoint(std::optional<GroundBounds>& bounds, const IdIndex& index, Id id) {
+  if (const Point* point = index.point(id)) include(bounds, point->position, point->position);
+}
+
+}  // namespace
+
+const Obstacle* findObstacle(const Project& project, Id id) { return findIn(*project.obstacles, id); }
+const Probe* findProbe(const Project& project, Id id) { return findIn(*project.probes, id); }
+const Camera* findCamera(const Project& project, Id id) { return findIn(*project.cameras, id); }
+
+std::optional<ObjectKind> kindOf(const Project& project, Id id) {
+  if (findPoint(*project.graph, id)) return ObjectKind::Point;
+  if (findArrow(*project.graph, id)) return ObjectKind::Arrow;
+  if (findObstacle(project, id)) return ObjectKind::Obstacle;
+  if (findProbe(project, id)) return ObjectKind::Probe;
+  if (findCamera(project, id)) return ObjectKind::Camera;
+  return std::nullopt;
+}
+
+const char* kindLabel(ObjectKind kind) {
+  switch (kind) {
+    case ObjectKind::Point: return "Point";
+    case ObjectKind::Arrow: return "Arrow";
+    case ObjectKind::Obstacle: return "Obstacle";
+    case ObjectKind::Probe: return "Probe";
+    case ObjectKind::Camera: return "Camera";
+  }
+  return "";
+}
+
+std::string nameOf(const Project& project, Id id) {
+  if (const Point* point = findPoint(*project.graph, id)) return point->name;
+  if (const Arrow* arrow = findArrow(*project.graph, id)) return arrow->name;
+  if (const Obstacle* obstacle = findObstacle(project, id)) return obstacle->name;
+  if (const Probe* probe = findProbe(project, id)) return probe->name;
+  if (const Camera* camera = findCamera(project, id)) return camera->name;
+  return {};
+}
+
+bool isHidden(const Project& project, Id id) {
+  return flagged(project, id, &Arrow::hidden, &Obstacle::hidden, &Probe::hidden);
+}
+bool isLocked(const Project& project, Id id) {
+  return flagged(project, id, &Arrow::locked, &Obstacle::locked, &Probe::locked);
+}
+
+std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id> ids) {
+  std::optional<GroundBounds> bounds;
+  if (ids.empty()) return bounds;
+  const IdIndex index(project);
+  for (const Id id : ids) {
+    includePoint(bounds, index, id);
+    if (const Arrow* arrow = index.arrow(id)) {
+      includePoint(bounds, index, arrow->from);
+      includePoint(bounds, index, arrow->to);
+    } else if (const Obstacle* obstacle = index.obstacle(id)) {
+      const glm::vec2 half = obstacle->shape == ObstacleShape::Circle ? glm::vec2(obstacle->radius)
+                                                                      : glm::vec2(0.5f * glm::length(obstacle->size));
+      include(bounds, obstacle->centre - half, obstacle->centre + half);
+    } else if (const Probe* probe = index.probe(id)) {
+      include(bounds, probe->position, probe->position);
+    } else if (const Camera* camera = index.camera(id)) {
+      include(bounds, {camera->target.x, camera->target.z}, {camera->target.x, camera->target.z});
+    }
+  }
+  return bounds;
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,16 @@
+#include "editor/core/tool.hpp"
+
+namespace windloom::editor {
+
+std::vector<Hit> ToolContext::hits(glm::vec2 pixel, PickOptions options) const {
+  options.radiusPx = settings.hitRadiusPx;
+  return pick(document.project(), view, ground, pixel, options);
+}
+
+bool Tool::commit(ToolContext& context, const Edit& edit) {
+  const Status status = context.document.apply(edit);
+  if (!status) say(status.error().problems.front().message);
+  return status.ok();
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,169 @@
+#include "editor/core/workspace.hpp"
+
+namespace windloom::editor {
+
+Workspace::Workspace() {
+  flow.onFailure = [this](const Error& error) { say(MessageKind::Error, error.text()); };
+  flow.onDone = [this](const std::string& text) { say(MessageKind::Info, text); };
+  flow.onReplaced = [this] {
+    selection.clear();
+    tools.clearHover();
+    frame({});
+  };
+  flow.onFileUsed = [this](const std::filesystem::path& path) { preferences.usedFile(path); };
+  registerCoreActions(*this);
+}
+
+ToolContext Workspace::context() { return {document, selection, toolSettings, view(), ground}; }
+
+bool Workspace::pointerPressed(const PointerEvent& pointer) {
+  m_pointer = pointer.pixel;
+  ToolContext tool = context();
+  if (tools.busy() && pointer.button != PointerButton::Left) {
+    tools.cancel(tool);
+    return true;
+  }
+  // Alt+drag copies what it grabs and orbits elsewhere.
+  const bool left = pointer.button == PointerButton::Left;
+  const bool copies = left && pointer.modifiers.alt && !tool.hits(pointer.pixel).empty();
+  if (!tools.dragging() && !copies && navigator.press(pointer)) return true;
+  const bool used = tools.press(tool, pointer);
+  afterChange();
+  return used;
+}
+
+bool Workspace::pointerMoved(const PointerEvent& pointer) {
+  m_pointer = pointer.pixel;
+  if (navigator.move(camera, pointer, viewportSize, ground)) return true;
+  ToolContext tool = context();
+  const bool used = tools.move(tool, pointer);
+  takeToolMessage();
+  return used;
+}
+
+bool Workspace::pointerReleased(const PointerEvent& pointer) {
+  m_pointer = pointer.pixel;
+  if (navigator.release(pointer)) return true;
+  ToolContext tool = context();
+  const bool used = tools.release(tool, pointer);
+  afterChange();
+  return used;
+}
+
+bool Workspace::wheel(float notches, const PointerEvent& pointer) {
+  m_pointer = pointer.pixel;
+  ToolContext tool = context();
+  if (!navigator.active() && tools.wheel(tool, notches, pointer.modifiers)) return true;
+  navigator.wheel(camera, notches, pointer.pixel, viewportSize, ground);
+  return true;
+}
+
+void Workspace::pointerLeft() { tools.clearHover(); }
+
+bool Workspace::keyPressed(const KeyPress& press) {
+  ToolContext tool = context();
+  if (tools.busy() && tools.key(tool, press)) {
+    afterChange();
+    return true;
+  }
+  if (!press.modifiers.ctrl && navigator.key(press.key, true)) return true;
+  if (!press.modifiers.any() && tools.active().onKey(tool, press)) {
+    afterChange();
+    return true;
+  }
+  return actions.dispatch(press);
+}
+
+void Workspace::keyReleased(Key key) { navigator.key(key, false); }
+
+void Workspace::focusLost() {
+  ToolContext tool = context();
+  tools.cancel(tool);
+  tools.clearHover();
+  navigator.cancel();
+}
+
+void Workspace::tick(double seconds, Modifiers held) { navigator.tick(camera, seconds, held); }
+
+bool Workspace::apply(const Edit& edit) {
+  ToolContext tool = context();
+  if (tools.dragging()) tools.cancel(tool);
+  const Status status = document.apply(edit);
+  if (!status) say(MessageKind::Warning, status.error().problems.front().text());
+  afterChange();
+  return status.ok();
+}
+
+bool Workspace::apply(const Result<Edit>& edit) {
+  if (edit) return apply(*edit);
+  say(MessageKind::Warning, edit.error().problems.front().text());
+  return false;
+}
+
+void Workspace::undo() {
+  ToolContext tool = context();
+  tools.cancel(tool);
+  const std::string label = document.undoLabel();
+  if (document.undo()) say(MessageKind::Info, label);
+  afterChange();
+}
+
+void Workspace::redo() {
+  ToolContext tool = context();
+  tools.cancel(tool);
+  const std::string label = document.redoLabel();
+  if (document.redo()) say(MessageKind::Info, label);
+  afterChange();
+}
+
+void Workspace::jumpTo(std::size_t historyEntry) {
+  ToolContext tool = context();
+  tools.cancel(tool);
+  document.jump(historyEntry);
+  afterChange();
+}
+
+void Workspace::activateTool(std::string_view id) {
+  ToolContext tool = context();
+  tools.activate(tool, id);
+}
+
+void Workspace::say(MessageKind kind, std::string text) {
+  m_message = {kind, std::move(text)};
+  ++m_messageNumber;
+}
+
+void Workspace::writeClipboardText(const std::string& text) {
+  m_clipboard = text;
+  if (writeClipboard) writeClipboard(text);
+}
+
+std::string Workspace::clipboardText() const { return readClipboard ? readClipboard() : m_clipboard; }
+
+void Workspace::frame(std::span<const Id> ids) {
+  const Project& project = document.project();
+  std::optional<GroundBounds> bounds = boundsOf(project, ids);
+  if (!bounds) {
+    std::vector<Id> all = selectableIds(project);
+    bounds = boundsOf(project, all);
+  }
+  if (!bounds) {
+    const FieldSettings& field = *project.field;
+    bounds = GroundBounds{field.centre - 0.5f * field.size, field.centre + 0.5f * field.size};
+  }
+  // A single point has no extent; some of its surroundings make it readable.
+  const glm::vec2 margin = glm::max(glm::vec2(0.0f), 0.5f * (glm::vec2(8.0f) - (bounds->high - bounds->low)));
+  camera = frameBounds(camera, bounds->low - margin, bounds->high + margin, viewportSize);
+}
+
+void Workspace::takeToolMessage() {
+  std::string message = tools.takeMessage();
+  if (!message.empty()) say(MessageKind::Warning, std::move(message));
+}
+
+void Workspace::afterChange() {
+  takeToolMessage();
+  selection.repair(document.project());
+}
+
+}  // namespace windloom::editor
