@@ -1,0 +1,32 @@
+#include "engine/io/sha256.hpp"
+
+#include <gtest/gtest.h>
+
+namespace windloom {
+
+// The examples of FIPS 180-4 and of NIST's test vectors.
+TEST(Sha256, GivesThePublishedDigests) {
+  EXPECT_EQ(sha256(""), "e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855");
+  EXPECT_EQ(sha256("abc"), "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad");
+  EXPECT_EQ(sha256("abcdbcdecdefdefgefghfghighijhijkijkljklmklmnlmnomnopnopq"),
+            "248d6a61d20638b8e5c026930c3e6039a33ce45964ff2167f6ecedd419db06c1");
+  EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
+}
+
+TEST(Sha256, DoesNotDependOnThePieces) {
+  std::string text;
+  for (int i = 0; i < 300; ++i) text += static_cast<char>(i * 7);
+  Sha256 pieces;
+  for (std::size_t at = 0, step = 1; at < text.size(); at += step, step = step * 2 % 97 + 1) {
+    pieces.add(std::string_view(text).substr(at, step));
+  }
+  EXPECT_EQ(pieces.finish(), sha256(text));
+}
+
+TEST(Sha256, SaysWhichFileCannotBeRead) {
+  const Result<std::string> digest = sha256OfFile("no-such-file");
+  ASSERT_FALSE(digest);
+  EXPECT_EQ(digest.error().kind, ErrorKind::Machine);
+}
+
+}  // namespace windloom
