@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "engine/core/log.hpp"
+#include "engine/core/text.hpp"
 #include "engine/io/project_json.hpp"
 
 namespace windloom::cli {
@@ -50,6 +51,10 @@ Json problemsJson(const std::vector<Problem>& problems) {
     list.push_back({{"file", problem.file}, {"pointer", problem.pointer}, {"message", problem.message}});
   }
   return list;
+}
+
+Json jsonNumber(float value) {
+  return *parseNumber(shortest(value));
 }
 
 void printJson(const Json& object) {

@@ -40,6 +40,9 @@ Result<Project> loadWithWarnings(const std::string& file);
 /// Problems as [{file, pointer, message}].
 Json problemsJson(const std::vector<Problem>& problems);
 
+/// A float as its shortest decimal, not as the digits of the double it converts to.
+Json jsonNumber(float value);
+
 /// One object on standard output; text that isn't UTF-8 (paths) is written with replacement characters.
 void printJson(const Json& object);
 

@@ -4,11 +4,15 @@
 
 namespace windloom::cli {
 
+VerbAction makeNewVerb(CLI::App& app);
 VerbAction makeValidateVerb(CLI::App& app);
+VerbAction makeInfoVerb(CLI::App& app);
 
 std::span<const Verb> verbs() {
   static const std::array kVerbs{
+      Verb{"new", "Writes a new project from a template", makeNewVerb},
       Verb{"validate", "Checks project files and lists all problems", makeValidateVerb},
+      Verb{"info", "Shows what is in a project and how much memory it needs", makeInfoVerb},
   };
   return kVerbs;
 }

@@ -1,0 +1,184 @@
+#include <algorithm>
+#include <cstdint>
+#include <cstdio>
+#include <memory>
+
+#include "engine/cli/common.hpp"
+#include "engine/cli/verbs.hpp"
+#include "engine/core/text.hpp"
+#include "engine/model/evaluate.hpp"
+#include "engine/model/parameters.hpp"
+
+namespace windloom::cli {
+namespace {
+
+struct Options : CommonOptions {
+  std::string file;
+  double fps = 30;
+};
+
+// Per cell and frame: the live field and .npy hold (vx, vz) as float32, the flow map is 8-bit RGBA.
+constexpr int kFieldBytes = 8, kNpyBytes = 8, kFlowMapBytes = 4;
+
+struct Sizes {
+  std::int64_t cells, blades, field, npyPerSecond, flowMapPerSecond;
+};
+
+Sizes sizesOf(const Project& project, double fps) {
+  const std::int64_t cells = std::int64_t{project.field->resolution.x} * project.field->resolution.y;
+  const double area = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
+  const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
+  return {cells, static_cast<std::int64_t>(area * static_cast<double>(project.grass->density)), cells * kFieldBytes,
+          perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
+}
+
+std::string_view signalName(const Project& project, Id root) {
+  const Signal* signal = findSignal(*project.graph, root);
+  const Signal fallback;
+  const auto kind = static_cast<std::size_t>((signal != nullptr ? *signal : fallback).kind);
+  for (const Parameter<Signal>& parameter : parametersOf<Signal>()) {
+    if (parameter.info.key == "kind") return parameter.info.choices[kind];
+  }
+  return {};
+}
+
+std::string label(const Point& point) {
+  return std::to_string(point.id) + (point.name.empty() ? "" : " (" + point.name + ")");
+}
+
+struct Extent {
+  glm::vec2 min, max;
+};
+
+Extent extentOf(const std::vector<Point>& points) {
+  Extent extent{points.front().position, points.front().position};
+  for (const Point& point : points) {
+    extent.min = glm::min(extent.min, point.position);
+    extent.max = glm::max(extent.max, point.position);
+  }
+  return extent;
+}
+
+std::string megabytes(double bytes) {
+  return fixed(bytes / 1e6, 1) + " MB";
+}
+std::string metres(float value) {
+  return shortest(value);
+}
+
+Json vectorJson(glm::vec2 v) {
+  return Json::array({jsonNumber(v.x), jsonNumber(v.y)});
+}
+
+void printInfoJson(const Options& options, const Project& project, const std::vector<Id>& roots,
+                   const std::vector<Arrival>& arrivals) {
+  const FieldSettings& field = *project.field;
+  const Sizes sizes = sizesOf(project, options.fps);
+  Json output{{"ok", true}, {"file", options.file}, {"name", project.name}};
+  output["field"] = {{"centre", vectorJson(field.centre)},
+                     {"size", vectorJson(field.size)},
+                     {"resolution", {field.resolution.x, field.resolution.y}},
+                     {"cellSize", vectorJson(field.size / glm::vec2(field.resolution))},
+                     {"timeStep", jsonNumber(field.timeStep)}};
+  output["counts"] = {{"points", project.graph->points.size()},
+                      {"arrows", project.graph->arrows.size()},
+                      {"signals", project.graph->signals.size()},
+                      {"roots", roots.size()},
+                      {"obstacles", project.obstacles->size()},
+                      {"probes", project.probes->size()},
+                      {"cameras", project.cameras->size()},
+                      {"cells", sizes.cells},
+                      {"blades", sizes.blades}};
+  if (!project.graph->points.empty()) {
+    const Extent extent = extentOf(project.graph->points);
+    output["extent"] = {{"min", vectorJson(extent.min)}, {"max", vectorJson(extent.max)}};
+  }
+  output["roots"] = Json::array();
+  for (const Id root : roots) output["roots"].push_back({{"id", root}, {"signal", signalName(project, root)}});
+  output["arrivals"] = Json::array();
+  for (std::size_t i = 0; i < arrivals.size(); ++i) {
+    if (arrivals[i].root == 0) continue;
+    output["arrivals"].push_back(
+        {{"point", project.graph->points[i].id}, {"root", arrivals[i].root}, {"time", arrivals[i].time}});
+  }
+  output["bytes"] = {{"field", sizes.field},
+                     {"fps", options.fps},
+                     {"npyPerSecond", sizes.npyPerSecond},
+                     {"flowMapPerSecond", sizes.flowMapPerSecond}};
+  printJson(output);
+}
+
+void printArrivals(const Project& project, const std::vector<Arrival>& arrivals) {
+  constexpr std::size_t kMostRows = 20;
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < arrivals.size(); ++i) {
+    if (arrivals[i].root != 0) order.push_back(i);
+  }
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return arrivals[i].time; });
+  if (!order.empty()) std::printf("arrival of the signal\n");
+  for (std::size_t row = 0; row < std::min(order.size(), kMostRows); ++row) {
+    const std::size_t i = order[row];
+    std::printf("  %8s s  point %s, from root %u\n", fixed(arrivals[i].time, 2).c_str(),
+                label(project.graph->points[i]).c_str(), arrivals[i].root);
+  }
+  if (order.size() > kMostRows) {
+    std::printf("  ... and %zu more, the last at %s s\n", order.size() - kMostRows,
+                fixed(arrivals[order.back()].time, 2).c_str());
+  }
+}
+
+void printInfoText(const Options& options, const Project& project, const std::vector<Id>& roots,
+                   const std::vector<Arrival>& arrivals) {
+  const FieldSettings& field = *project.field;
+  const Sizes sizes = sizesOf(project, options.fps);
+  const glm::vec2 cell = field.size / glm::vec2(field.resolution);
+  std::printf("%s: %s\n", options.file.c_str(), project.name.c_str());
+  std::printf("field      %s x %s m around (%s, %s), %d x %d cells of %s x %s m\n", metres(field.size.x).c_str(),
+              metres(field.size.y).c_str(), metres(field.centre.x).c_str(), metres(field.centre.y).c_str(),
+              field.resolution.x, field.resolution.y, metres(cell.x).c_str(), metres(cell.y).c_str());
+  std::printf("graph      %zu points, %zu arrows, %zu roots, %zu signals\n", project.graph->points.size(),
+              project.graph->arrows.size(), roots.size(), project.graph->signals.size());
+  if (!project.graph->points.empty()) {
+    const Extent extent = extentOf(project.graph->points);
+    std::printf("extent     x %s to %s m, z %s to %s m\n", metres(extent.min.x).c_str(), metres(extent.max.x).c_str(),
+                metres(extent.min.y).c_str(), metres(extent.max.y).c_str());
+  }
+  std::printf("others     %zu obstacles, %zu probes, %zu cameras\n", project.obstacles->size(), project.probes->size(),
+              project.cameras->size());
+  std::printf("ambient    %s m/s towards %s deg\n", metres(project.ambient->speed).c_str(),
+              metres(project.ambient->direction).c_str());
+  std::printf("grass      %s blades\n", std::to_string(sizes.blades).c_str());
+  for (const Id root : roots) {
+    std::printf("root       %s plays %s\n", label(*findPoint(*project.graph, root)).c_str(),
+                std::string(signalName(project, root)).c_str());
+  }
+  printArrivals(project, arrivals);
+  std::printf("memory     %s for the velocity field\n", megabytes(sizes.field).c_str());
+  std::printf("export     %s per second as npy, up to %s per second as flow-map PNG, at %s frames a second\n",
+              megabytes(sizes.npyPerSecond).c_str(), megabytes(sizes.flowMapPerSecond).c_str(),
+              shortest(options.fps).c_str());
+}
+
+int showInfo(const Options& options) {
+  const Result<Project> project = loadWithWarnings(options.file);
+  if (!project) return reportError(project.error(), options);
+  const GraphEvaluator evaluator(*project->graph);
+  const std::vector<Id> roots = findRoots(*project->graph);
+  (options.json ? printInfoJson : printInfoText)(options, *project, roots, evaluator.arrivals());
+  return kExitDone;
+}
+
+}  // namespace
+
+VerbAction makeInfoVerb(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
+  app.add_option("--fps", options->fps, "Frames a second to count the exports with")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  addCommonOptions(app, *options);
+  app.footer("Arrival times are those at which the signal of a root reaches a point, in seconds after its onset.");
+  return [options] { return showInfo(*options); };
+}
+
+}  // namespace windloom::cli
