@@ -1,0 +1,57 @@
+#pragma once
+// The whole export: records the wind of a project and writes it in one or more formats with a manifest.
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/bake/frame_writer.hpp"
+#include "engine/bake/recorder.hpp"
+
+namespace windloom {
+
+inline constexpr int kMaxBakeFrames = 100'000;
+
+struct BakeRequest {
+  std::filesystem::path folder;               ///< made where it isn't there
+  std::vector<const WriterKind*> formats;     ///< at least one, none twice
+  RecordPlan plan;
+  bool loop = false;                          ///< then plan.crossfade says how many frames are blended
+  std::optional<glm::ivec2> resolution;       ///< of the written frames; the wind always runs on the project's
+  std::optional<float> speedRange;            ///< m/s that flow maps encode as full scale; else from the recording
+  Preset preset = Preset::Generic;
+};
+
+enum class BakePhase { Recording, Writing };
+
+struct BakeProgress {
+  BakePhase phase = BakePhase::Recording;
+  double part = 0;  ///< of the phase, 0..1
+};
+
+struct BakeReport {
+  bool cancelled = false;           ///< then nothing was written
+  std::vector<std::string> files;   ///< names in the folder, the manifest last
+  std::uint64_t bytes = 0;          ///< of all of them
+  BakeHeader header;
+  long steps = 0;                   ///< of the simulation at the end
+};
+
+/// Runs `simulation` from where it stands through the plan. All files are written to a folder inside `folder` and
+/// moved out when every one of them is complete: neither a failure nor a cancelled bake leaves anything, and an older
+/// bake stays as it was until then. Files that the older manifest lists and the new one doesn't are removed. Frames
+/// are kept in memory or in a temporary file only where a format has to know the fastest wind beforehand, or for a
+/// loop. `keepGoing` is asked often; where it says no the bake is cancelled. Fails with Machine (disk full, folder
+/// not writable) and with BadInput (a format can't hold that many frames).
+Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
+                        const std::function<bool(const BakeProgress&)>& keepGoing);
+
+/// Starts a simulation from a .npy file of float32 [height, width, 2] in m/s, rows z ascending, of the project's
+/// resolution; of an array [frames, height, width, 2] (a bake) the last frame is taken, which continues it. Fails with
+/// BadInput.
+Status loadInitialField(Simulation& simulation, const std::filesystem::path& path);
+
+}  // namespace windloom

@@ -1,0 +1,36 @@
+#include "engine/bake/frame_writer.hpp"
+#include "engine/io/npy.hpp"
+
+namespace windloom {
+namespace {
+
+class NpyWriter final : public FrameWriter {
+ public:
+  explicit NpyWriter(NpyStream stream) : m_stream(std::move(stream)) {}
+
+  Status add(int, std::span<const glm::vec2> cells) override {
+    static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
+    return m_stream.write({&cells.data()->x, cells.size() * 2});
+  }
+
+  Result<std::vector<BakedFile>> finish() override {
+    if (Status finished = m_stream.finish(); !finished) return finished.error();
+    return std::vector<BakedFile>{{"wind.npy", "field", "float32"}};
+  }
+
+ private:
+  NpyStream m_stream;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<FrameWriter>> openNpyWriter(const BakeHeader& header, const std::filesystem::path& folder) {
+  const std::vector<std::size_t> shape = {static_cast<std::size_t>(header.frames),
+                                          static_cast<std::size_t>(header.grid.resolution.y),
+                                          static_cast<std::size_t>(header.grid.resolution.x), 2};
+  Result<NpyStream> stream = NpyStream::create(folder / "wind.npy", shape);
+  if (!stream) return stream.error();
+  return std::unique_ptr<FrameWriter>(std::make_unique<NpyWriter>(std::move(*stream)));
+}
+
+}  // namespace windloom

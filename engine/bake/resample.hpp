@@ -1,0 +1,33 @@
+#pragma once
+// A recorded field at another resolution.
+
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+namespace windloom {
+
+/// Fields of one resolution to another over the same area. Along an axis that gets fewer cells each new cell is the
+/// mean of the old ones under it, weighted by how much of each it covers, so the mean of the field stays; along one
+/// that gets more, values are interpolated linearly between cell centres, clamped at the border.
+class Resampler {
+ public:
+  Resampler(glm::ivec2 from, glm::ivec2 to);
+
+  /// `in` has from.x * from.y values, row after row; `out` is resized.
+  void apply(std::span<const glm::vec2> in, std::vector<glm::vec2>& out);
+
+ private:
+  /// What one new cell takes along one axis: `weights` from `first` on.
+  struct Tap {
+    int first = 0;
+    std::vector<float> weights;
+  };
+  static std::vector<Tap> tapsFor(int from, int to);
+
+  glm::ivec2 m_from, m_to;
+  std::vector<Tap> m_columns, m_rows;
+  std::vector<glm::vec2> m_narrowed;  // to.x * from.y
+};
+
+}  // namespace windloom

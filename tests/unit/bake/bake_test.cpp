@@ -1,0 +1,248 @@
+#include "engine/bake/bake.hpp"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/file.hpp"
+#include "engine/io/npy.hpp"
+#include "engine/io/sha256.hpp"
+#include "tests/unit/bake/temporary_folder.hpp"
+
+namespace windloom {
+namespace fs = std::filesystem;
+namespace {
+
+/// A small field in which one arrow blows on top of an ambient wind, so that frames differ.
+Project smallProject() {
+  Project project;
+  FieldSettings field;
+  field.centre = {10, 0};
+  field.size = {24, 18};
+  field.resolution = {24, 18};
+  field.timeStep = 1.0f / 60.0f;
+  project.field = std::make_shared<FieldSettings>(field);
+  AmbientWind ambient;
+  ambient.speed = 1.0f;
+  project.ambient = std::make_shared<AmbientWind>(ambient);
+  WindGraph graph;
+  graph.points = {{1, "", {4, 0}, false, {}}, {2, "", {14, 3}, false, {}}};
+  Arrow arrow;
+  arrow.id = 3;
+  arrow.from = 1;
+  arrow.to = 2;
+  graph.arrows = {arrow};
+  project.graph = std::make_shared<WindGraph>(graph);
+  return project;
+}
+
+std::unique_ptr<Simulation> simulate(const Project& project) {
+  SimulationOptions options;
+  options.backend = Backend::Cpu;
+  options.threads = 1;
+  Result<std::unique_ptr<Simulation>> simulation = Simulation::create(project, options);
+  EXPECT_TRUE(simulation) << simulation.error().text();
+  return std::move(*simulation);
+}
+
+BakeRequest requestFor(const fs::path& folder, std::initializer_list<const char*> formats, const RecordPlan& plan) {
+  BakeRequest request;
+  request.folder = folder;
+  request.plan = plan;
+  for (const char* name : formats) request.formats.push_back(writerKindNamed(name));
+  return request;
+}
+
+BakeReport mustBake(const Project& project, const BakeRequest& request) {
+  const Result<BakeReport> report = bake(*simulate(project), request, {});
+  EXPECT_TRUE(report) << report.error().text();
+  return *report;
+}
+
+NpyArray readWind(const fs::path& folder) { return readNpy(folder / "wind.npy").value(); }
+
+nlohmann::json readManifest(const fs::path& folder) {
+  return nlohmann::json::parse(readFile(folder / "manifest.json").value());
+}
+
+}  // namespace
+
+TEST(Bake, FramesAreTheFieldAtTheirTimes) {
+  const TemporaryFolder folder;
+  const RecordPlan plan{0.1, 20, 4, 0};
+  mustBake(smallProject(), requestFor(folder.path(), {"npy"}, plan));
+  const NpyArray wind = readWind(folder.path());
+  EXPECT_EQ(wind.shape, (std::vector<std::size_t>{4, 18, 24, 2}));
+  const auto simulation = simulate(smallProject());
+  for (int frame = 0; frame < 4; ++frame) {
+    simulation->runTo(0.1 + frame / 20.0);
+    EXPECT_EQ(simulation->steps(), 6 + 3 * frame);
+    const std::vector<glm::vec2>& cells = simulation->velocity();
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      ASSERT_EQ(wind.values[(static_cast<std::size_t>(frame) * cells.size() + i) * 2], cells[i].x);
+      ASSERT_EQ(wind.values[(static_cast<std::size_t>(frame) * cells.size() + i) * 2 + 1], cells[i].y);
+    }
+  }
+}
+
+TEST(Bake, ALoopBlendsTheFramesBehindItsEndIntoItsStart) {
+  const TemporaryFolder plainFolder, loopFolder;
+  mustBake(smallProject(), requestFor(plainFolder.path(), {"npy"}, {0.0, 20, 10, 0}));
+  BakeRequest request = requestFor(loopFolder.path(), {"npy"}, {0.0, 20, 8, 2});
+  request.loop = true;
+  mustBake(smallProject(), request);
+  const NpyArray plain = readWind(plainFolder.path()), loop = readWind(loopFolder.path());
+  EXPECT_EQ(loop.shape[0], 8u);
+  const std::size_t size = loop.values.size() / 8;
+  const auto at = [&](const NpyArray& wind, std::size_t frame, std::size_t i) { return wind.values[frame * size + i]; };
+  double seam = 0, unblended = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    EXPECT_EQ(at(loop, 0, i), at(plain, 8, i)) << "the first frame is the one behind the last";
+    EXPECT_NEAR(at(loop, 1, i), 0.5f * (at(plain, 9, i) + at(plain, 1, i)), 1e-5f);
+    for (std::size_t frame = 2; frame < 8; ++frame) EXPECT_EQ(at(loop, frame, i), at(plain, frame, i));
+    seam = std::max(seam, static_cast<double>(std::abs(at(loop, 0, i) - at(loop, 7, i))));
+    unblended = std::max(unblended, static_cast<double>(std::abs(at(plain, 7, i) - at(plain, 0, i))));
+  }
+  EXPECT_LT(seam, 0.5 * unblended) << "no jump from the end to the start";
+  const nlohmann::json manifest = readManifest(loopFolder.path());
+  EXPECT_EQ(manifest["time"]["loop"], true);
+  EXPECT_EQ(manifest["time"]["crossfade"], 2);
+}
+
+TEST(Bake, WritesAllFormatsAndAManifestThatNamesThem) {
+  const TemporaryFolder folder;
+  const BakeReport report = mustBake(smallProject(), requestFor(folder.path() / "deep" / "er", {"npy", "png", "windpack"}, {0, 10, 3, 0}));
+  const fs::path out = folder.path() / "deep" / "er";
+  const nlohmann::json manifest = readManifest(out);
+  EXPECT_EQ(manifest["format"], "windpack");
+  EXPECT_EQ(manifest["units"], "m/s");
+  EXPECT_EQ(manifest["grid"], nlohmann::json({24, 18}));
+  EXPECT_EQ(manifest["bounds"]["min"], nlohmann::json({-2, -9}));
+  EXPECT_EQ(manifest["bounds"]["max"], nlohmann::json({22, 9}));
+  EXPECT_EQ(manifest["cell"], nlohmann::json({1, 1}));
+  EXPECT_EQ(manifest["time"]["fps"], 10);
+  EXPECT_EQ(manifest["time"]["frames"], 3);
+  EXPECT_EQ(manifest["zero_code"], 128);
+  EXPECT_EQ(manifest["rowOrder"], "ascending");
+  ASSERT_EQ(manifest["files"].size(), 5u);
+  std::uint64_t bytes = fs::file_size(out / "manifest.json");
+  for (const nlohmann::json& file : manifest["files"]) {
+    const fs::path path = out / file["path"].get<std::string>();
+    EXPECT_EQ(sha256OfFile(path).value(), file["sha256"]) << path;
+    bytes += fs::file_size(path);
+  }
+  EXPECT_EQ(report.bytes, bytes);
+  EXPECT_EQ(report.files.size(), 6u);
+  EXPECT_EQ(std::distance(fs::directory_iterator(out), {}), 6);
+  // The scale holds the fastest cell of all frames, with no more than a hundredth to spare.
+  float fastest = 0;
+  const NpyArray wind = readWind(out);
+  for (std::size_t i = 0; i < wind.values.size(); i += 2) {
+    fastest = std::max(fastest, glm::length(glm::vec2(wind.values[i], wind.values[i + 1])));
+  }
+  EXPECT_GE(manifest["vmax"].get<float>(), fastest - 1e-4f);
+  EXPECT_LE(manifest["vmax"].get<float>(), fastest + 0.0101f);
+}
+
+TEST(Bake, ThePresetDecidesTheManifestsFrameButNotTheArraysOne) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"npy", "png"}, {0, 10, 1, 0});
+  request.preset = Preset::Unreal;
+  request.speedRange = 5.0f;
+  mustBake(smallProject(), request);
+  const nlohmann::json manifest = readManifest(folder.path());
+  EXPECT_EQ(manifest["frame"]["handedness"], "left");
+  EXPECT_EQ(manifest["frame"]["up"], "+Z");
+  EXPECT_EQ(manifest["units"], "cm/s");
+  EXPECT_EQ(manifest["vmax"], 500);
+  EXPECT_EQ(manifest["bounds"]["max"], nlohmann::json({2200, 900}));
+  EXPECT_EQ(manifest["files"][0]["path"], "wind.npy");
+  EXPECT_EQ(manifest["files"][0]["units"], "m/s");
+  EXPECT_EQ(manifest["files"][0]["bounds"]["max"], nlohmann::json({22, 9}));
+}
+
+TEST(Bake, AnotherResolutionKeepsTheMeanWind) {
+  const TemporaryFolder full, small;
+  mustBake(smallProject(), requestFor(full.path(), {"npy"}, {0.2, 10, 1, 0}));
+  BakeRequest request = requestFor(small.path(), {"npy"}, {0.2, 10, 1, 0});
+  request.resolution = glm::ivec2(7, 5);
+  mustBake(smallProject(), request);
+  const NpyArray a = readWind(full.path()), b = readWind(small.path());
+  EXPECT_EQ(b.shape, (std::vector<std::size_t>{1, 5, 7, 2}));
+  double meanA = 0, meanB = 0;
+  for (std::size_t i = 0; i < a.values.size(); i += 2) meanA += static_cast<double>(a.values[i]) / (24 * 18);
+  for (std::size_t i = 0; i < b.values.size(); i += 2) meanB += static_cast<double>(b.values[i]) / (7 * 5);
+  EXPECT_NEAR(meanA, meanB, 1e-5);
+}
+
+TEST(Bake, ACancelledBakeLeavesTheOlderOneAlone) {
+  const TemporaryFolder folder;
+  mustBake(smallProject(), requestFor(folder.path(), {"npy", "png"}, {0, 10, 2, 0}));
+  const std::string before = readFile(folder.path() / "manifest.json").value();
+  const long entries = folder.entries();
+  for (const BakePhase when : {BakePhase::Recording, BakePhase::Writing}) {
+    const Result<BakeReport> report =
+        bake(*simulate(smallProject()), requestFor(folder.path(), {"npy", "png"}, {0, 10, 9, 0}),
+             [&](const BakeProgress& p) { return !(p.phase == when && p.part > 0.4); });
+    ASSERT_TRUE(report);
+    EXPECT_TRUE(report->cancelled);
+    EXPECT_EQ(readFile(folder.path() / "manifest.json").value(), before);
+    EXPECT_EQ(folder.entries(), entries);
+  }
+}
+
+TEST(Bake, RemovesWhatOnlyTheOlderBakeHad) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "notes.txt", "mine"));
+  mustBake(smallProject(), requestFor(folder.path(), {"png"}, {0, 10, 5, 0}));
+  EXPECT_TRUE(fs::exists(folder.path() / "flow.0004.png"));
+  mustBake(smallProject(), requestFor(folder.path(), {"png"}, {0, 10, 3, 0}));
+  EXPECT_TRUE(fs::exists(folder.path() / "flow.0002.png"));
+  EXPECT_FALSE(fs::exists(folder.path() / "flow.0003.png"));
+  EXPECT_TRUE(fs::exists(folder.path() / "notes.txt"));
+}
+
+TEST(Bake, SaysWhereItCannotWrite) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "taken", "a file"));
+  const Result<BakeReport> report = bake(*simulate(smallProject()), requestFor(folder.path() / "taken", {"npy"}, {0, 10, 1, 0}), {});
+  ASSERT_FALSE(report);
+  EXPECT_EQ(report.error().kind, ErrorKind::Machine);
+  EXPECT_NE(report.error().text().find("taken"), std::string::npos);
+}
+
+TEST(InitialField, IsTheFirstFrameOfABakeAndAnEarlierBakeGoesOn) {
+  const TemporaryFolder folder;
+  std::vector<float> values(18 * 24 * 2);
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = 0.5f * static_cast<float>(i % 2);
+  ASSERT_TRUE(writeNpy(folder.path() / "start.npy", {18, 24, 2}, values));
+  const auto simulation = simulate(smallProject());
+  const Status loaded = loadInitialField(*simulation, folder.path() / "start.npy");
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  for (const glm::vec2 v : simulation->velocity()) {
+    EXPECT_NEAR(v.x, 0.0f, 1e-5f);
+    EXPECT_NEAR(v.y, 0.5f, 1e-5f);
+  }
+  values.resize(2 * values.size(), 0.25f);
+  ASSERT_TRUE(writeNpy(folder.path() / "bake.npy", {2, 18, 24, 2}, values));
+  ASSERT_TRUE(loadInitialField(*simulation, folder.path() / "bake.npy"));
+  for (const glm::vec2 v : simulation->velocity()) EXPECT_NEAR(v.x, 0.25f, 1e-5f);
+}
+
+TEST(InitialField, RefusesOtherShapesAndValues) {
+  const TemporaryFolder folder;
+  const auto simulation = simulate(smallProject());
+  const auto refusal = [&](const std::vector<std::size_t>& shape, std::vector<float> values) {
+    EXPECT_TRUE(writeNpy(folder.path() / "start.npy", shape, values));
+    const Status status = loadInitialField(*simulation, folder.path() / "start.npy");
+    if (status) return std::string("accepted");
+    EXPECT_EQ(status.error().kind, ErrorKind::BadInput);
+    return status.error().text();
+  };
+  EXPECT_NE(refusal({18, 24}, std::vector<float>(18 * 24)).find("wrong shape"), std::string::npos);
+  EXPECT_NE(refusal({18, 24, 3}, std::vector<float>(18 * 24 * 3)).find("wrong shape"), std::string::npos);
+  EXPECT_NE(refusal({24, 18, 2}, std::vector<float>(18 * 24 * 2)).find("18 x 24"), std::string::npos);
+  EXPECT_NE(refusal({24, 18, 2}, std::vector<float>(18 * 24 * 2)).find("start.npy"), std::string::npos);
+}
+
+}  // namespace windloom
