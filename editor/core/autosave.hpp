@@ -7,31 +7,40 @@
 #include <vector>
 
 #include "editor/core/document.hpp"
+#include "editor/core/project_changes.hpp"
 
 namespace windloom::editor {
 
 inline constexpr int kAutosaveEdits = 25;
 inline constexpr double kAutosaveSeconds = 120;
 
-/// Side files lie in a folder of the app's choice, one for each running editor.
+/// Writes side files into a folder of the app's choice, one for each running editor. A lock file beside it, held
+/// while this lives, tells other editors that its owner runs.
 class Autosave {
  public:
-  /// `session` makes the file name unique (a process id).
+  /// `session` makes the file name unique (a process id); a name that is taken gets a number.
   Autosave(std::filesystem::path folder, std::string session);
+  ~Autosave();
+  Autosave(const Autosave&) = delete;
+  Autosave& operator=(const Autosave&) = delete;
 
   /// Call once a frame with a steadily growing time. Writes the side file when 25 edits were made since the
   /// last write, or 2 minutes passed since the first edit after it; removes it once the document is clean.
+  /// A failure (disk full) is told once; it is tried again after as many edits or as much time.
   Status tick(const Document& document, double nowSeconds);
   /// The editor closes in order: the side file goes.
   void finish();
   [[nodiscard]] const std::filesystem::path& sideFile() const { return m_file; }
 
  private:
-  std::filesystem::path m_folder, m_file;
-  std::uint64_t m_seenRevision = 0;
+  Status write(const Document& document);
+
+  std::filesystem::path m_folder, m_file, m_lockFile;
+  int m_lock = -1;
+  Project m_seen;
+  bool m_started = false;
   int m_edits = 0;
   std::optional<double> m_firstEditAt;
-  Project m_written;
   bool m_exists = false;
 };
 
@@ -41,14 +50,13 @@ struct Rescue {
   std::filesystem::path original;  ///< the user's file; empty where it was never saved
   std::string savedAt;             ///< local time, "2025-03-01 14:05"
 };
-/// Side files in the folder whose editor no longer runs, newest first.
+/// Side files in the folder whose editor no longer runs, newest first. Files that are none are left alone.
 std::vector<Rescue> findRescues(const std::filesystem::path& folder);
 /// Takes it into the document (dirty). On failure the document stays.
 Status restoreRescue(Document& document, const Rescue& rescue);
+/// Removes the side file. After a restore, call it once the project was saved or the user is done with it.
 void discardRescue(const Rescue& rescue);
-/// What differs between the user's file and the side file, one line each: "2 arrows added", "Point 3 moved".
+/// What differs between the user's file and the side file, one line each; the reason where either can't be read.
 std::vector<std::string> describeRescue(const Rescue& rescue);
-/// The differences between two projects in words.
-std::vector<std::string> describeChanges(const Project& before, const Project& after);
 
 }  // namespace windloom::editor

@@ -1,0 +1,184 @@
+#include "editor/core/autosave.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <ctime>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "engine/core/file.hpp"
+#include "engine/io/project_json.hpp"
+
+namespace windloom::editor {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr std::string_view kFormat = "windloom-rescue";
+constexpr std::string_view kSuffix = ".rescue.json";
+
+fs::path lockOf(const fs::path& sideFile) { return sideFile.string() + ".lock"; }
+
+/// The file locked for this process, or -1 where another one has it.
+int lockFile(const fs::path& path) {
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  if (descriptor < 0) return -1;
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  ::close(descriptor);
+  return -1;
+}
+
+bool ownerRuns(const fs::path& sideFile) {
+  const int descriptor = ::open(lockOf(sideFile).c_str(), O_RDWR | O_CLOEXEC);
+  if (descriptor < 0) return false;
+  const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
+  ::close(descriptor);
+  return locked;
+}
+
+std::string localTime() {
+  const std::time_t now = std::time(nullptr);
+  std::tm parts{};
+  if (!::localtime_r(&now, &parts)) return {};
+  char text[32];
+  return std::string(text, std::strftime(text, sizeof text, "%Y-%m-%d %H:%M", &parts));
+}
+
+struct SideFile {
+  Rescue rescue;
+  std::string project;
+};
+
+std::optional<std::string> textIn(const nlohmann::json& json, const char* key) {
+  const auto found = json.find(key);
+  if (found == json.end() || !found->is_string()) return std::nullopt;
+  return found->get_ref<const std::string&>();
+}
+
+Result<SideFile> readSideFile(const fs::path& path) {
+  // Escaped as a text, a project takes more room than as a file.
+  const Result<std::string> bytes = readFile(path, 4 * kMaxProjectBytes);
+  if (!bytes) return bytes.error();
+  const nlohmann::json json = nlohmann::json::parse(*bytes, nullptr, false);
+  const Error broken = makeError(ErrorKind::BadInput, path.string(), {}, "is not a rescue file");
+  if (!json.is_object() || textIn(json, "format") != kFormat) return broken;
+  const auto original = textIn(json, "original"), savedAt = textIn(json, "savedAt"), project = textIn(json, "project");
+  if (!original || !savedAt || !project) return broken;
+  return SideFile{{path, *original, *savedAt}, *project};
+}
+
+}  // namespace
+
+Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)) {
+  std::error_code ignored;
+  if (!makeFolder(m_folder)) return;
+  for (int number = 1; number < 100; ++number) {
+    std::string name = session;
+    if (number > 1) name.append(1, '-').append(std::to_string(number));
+    const fs::path file = m_folder / name.append(kSuffix);
+    if (fs::exists(file, ignored)) continue;
+    m_lock = lockFile(lockOf(file));
+    if (m_lock < 0) continue;
+    m_file = file;
+    m_lockFile = lockOf(file);
+    return;
+  }
+}
+
+Autosave::~Autosave() {
+  if (m_lock >= 0) ::close(m_lock);
+}
+
+Status Autosave::tick(const Document& document, double nowSeconds) {
+  if (!m_started || !document.committed().sameAs(m_seen)) {
+    if (m_started) ++m_edits;
+    m_seen = document.committed();
+    m_started = true;
+    if (document.dirty() && !m_firstEditAt) m_firstEditAt = nowSeconds;
+  }
+  if (!document.dirty()) {
+    m_edits = 0;
+    m_firstEditAt.reset();
+    if (m_exists) {
+      std::error_code ignored;
+      fs::remove(m_file, ignored);
+      m_exists = false;
+    }
+    return Done{};
+  }
+  const bool due = m_edits >= kAutosaveEdits || (m_firstEditAt && nowSeconds - *m_firstEditAt >= kAutosaveSeconds);
+  if (!due) return Done{};
+  m_edits = 0;
+  m_firstEditAt.reset();
+  return write(document);
+}
+
+Status Autosave::write(const Document& document) {
+  if (m_file.empty()) {
+    return makeError(ErrorKind::Machine, m_folder.string(), {}, "can't autosave: no file can be made in this folder");
+  }
+  nlohmann::ordered_json json;
+  json["format"] = kFormat;
+  std::error_code ignored;
+  json["original"] = document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
+  json["savedAt"] = localTime();
+  json["project"] = writeProject(document.committed());
+  const Status status =
+      writeFileAtomically(m_file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  if (status) m_exists = true;
+  return status;
+}
+
+void Autosave::finish() {
+  std::error_code ignored;
+  if (m_file.empty()) return;
+  fs::remove(m_file, ignored);
+  fs::remove(m_lockFile, ignored);
+  m_exists = false;
+}
+
+std::vector<Rescue> findRescues(const fs::path& folder) {
+  std::vector<std::pair<fs::file_time_type, Rescue>> found;
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    const fs::path path = it->path();
+    if (!path.string().ends_with(kSuffix) || ownerRuns(path)) continue;
+    Result<SideFile> file = readSideFile(path);
+    std::error_code ignored;
+    if (file) found.emplace_back(fs::last_write_time(path, ignored), std::move(file->rescue));
+  }
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) { return a.first > b.first; });
+  std::vector<Rescue> rescues;
+  for (auto& [time, rescue] : found) rescues.push_back(std::move(rescue));
+  return rescues;
+}
+
+Status restoreRescue(Document& document, const Rescue& rescue) {
+  const Result<SideFile> file = readSideFile(rescue.sideFile);
+  if (!file) return file.error();
+  Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
+  if (!loaded) return loaded.error();
+  document.recover(std::move(loaded->project), rescue.original);
+  return Done{};
+}
+
+void discardRescue(const Rescue& rescue) {
+  std::error_code ignored;
+  fs::remove(rescue.sideFile, ignored);
+  fs::remove(lockOf(rescue.sideFile), ignored);
+}
+
+std::vector<std::string> describeRescue(const Rescue& rescue) {
+  const Result<SideFile> file = readSideFile(rescue.sideFile);
+  if (!file) return {file.error().text()};
+  const Result<LoadedProject> rescued = parseProject(file->project, rescue.sideFile.string());
+  if (!rescued) return {rescued.error().text()};
+  if (rescue.original.empty()) return describeChanges(Project{}, rescued->project);
+  const Result<LoadedProject> original = loadProject(rescue.original);
+  if (!original) return {original.error().text()};
+  return describeChanges(original->project, rescued->project);
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,114 @@
+#include "editor/core/project_changes.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <unordered_map>
+
+#include "engine/model/parameters.hpp"
+
+namespace windloom::editor {
+namespace {
+
+using Lines = std::vector<std::string>;
+constexpr std::size_t kNamedOneByOne = 5;
+
+Id keyOf(const Signal& signal) { return signal.root; }
+template <class T>
+Id keyOf(const T& record) {
+  return record.id;
+}
+std::string nameIn(const Signal&) { return {}; }
+template <class T>
+std::string nameIn(const T& record) {
+  return record.name;
+}
+bool otherwiseEqual(const Signal& a, const Signal& b) {
+  return std::equal(a.keys.begin(), a.keys.end(), b.keys.begin(), b.keys.end(),
+                    [](const SignalKey& x, const SignalKey& y) { return x.time == y.time && x.value == y.value; });
+}
+template <class T>
+bool otherwiseEqual(const T&, const T&) {
+  return true;
+}
+
+/// The labels of the parameters that differ, with commas.
+template <class T>
+std::string differences(const T& before, const T& after) {
+  std::string labels;
+  const auto add = [&](std::string label) {
+    label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
+    labels.append(labels.empty() ? "" : ", ").append(label);
+  };
+  for (const Parameter<T>& parameter : parametersOf<T>()) {
+    if (parameter.get(before) != parameter.get(after)) add(std::string(parameter.info.label));
+  }
+  return labels;
+}
+
+template <class T>
+void compareSettings(Lines& lines, const char* label, const Shared<T>& before, const Shared<T>& after) {
+  if (before == after) return;
+  const std::string changed = differences(*before, *after);
+  if (!changed.empty()) lines.push_back(std::string(label).append(" changed: ").append(changed));
+}
+
+void count(Lines& lines, std::size_t number, const char* noun, const char* what) {
+  if (number == 0) return;
+  lines.push_back(std::to_string(number).append(" ").append(noun).append(number == 1 ? " " : "s ").append(what));
+}
+
+template <class T>
+void compareRecords(Lines& lines, const char* label, const std::vector<T>& before, const std::vector<T>& after) {
+  std::string noun = label;
+  noun[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(noun[0])));
+  std::unordered_map<Id, const T*> old;
+  for (const T& record : before) old.emplace(keyOf(record), &record);
+  std::size_t added = 0, kept = 0;
+  Lines changed;
+  for (const T& record : after) {
+    const auto found = old.find(keyOf(record));
+    if (found == old.end()) {
+      ++added;
+      continue;
+    }
+    ++kept;
+    std::string what = differences(*found->second, record);
+    if (what.empty() && !otherwiseEqual(*found->second, record)) what = "curve";
+    if (what.empty()) continue;
+    const std::string name = nameIn(record);
+    changed.push_back(std::string(label)
+                          .append(" ")
+                          .append(std::to_string(keyOf(record)))
+                          .append(name.empty() ? "" : " (" + name + ")")
+                          .append(" changed: ")
+                          .append(what));
+  }
+  count(lines, added, noun.c_str(), "added");
+  count(lines, before.size() - kept, noun.c_str(), "deleted");
+  if (changed.size() > kNamedOneByOne) {
+    count(lines, changed.size(), noun.c_str(), "changed");
+  } else {
+    lines.insert(lines.end(), changed.begin(), changed.end());
+  }
+}
+
+}  // namespace
+
+Lines describeChanges(const Project& before, const Project& after) {
+  Lines lines;
+  if (before.name != after.name) lines.push_back("Name changed: " + after.name);
+  compareSettings(lines, "Field", before.field, after.field);
+  compareSettings(lines, "Solver", before.solver, after.solver);
+  compareSettings(lines, "Ambient wind", before.ambient, after.ambient);
+  compareRecords(lines, "Point", before.graph->points, after.graph->points);
+  compareRecords(lines, "Arrow", before.graph->arrows, after.graph->arrows);
+  compareRecords(lines, "Signal", before.graph->signals, after.graph->signals);
+  compareRecords(lines, "Obstacle", *before.obstacles, *after.obstacles);
+  compareSettings(lines, "Terrain", before.terrain, after.terrain);
+  compareSettings(lines, "Grass", before.grass, after.grass);
+  compareRecords(lines, "Probe", *before.probes, *after.probes);
+  compareRecords(lines, "Camera", *before.cameras, *after.cameras);
+  return lines;
+}
+
+}  // namespace windloom::editor
