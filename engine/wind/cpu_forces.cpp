@@ -31,7 +31,7 @@ void addConfinement(const CpuFields& f, int k, const float* low, const float* hi
   const float h = std::sqrt(f.grid.hx * f.grid.hz);
   const float scale = f.dt * f.solver.confinement * h;
   const float halfX = 0.5f / f.grid.hx, halfZ = 0.5f / f.grid.hz;
-  const float tiny = 1e-5f / h;
+  const float tiny = 1e-5f / h, soft = 0.25f * WIND_CONFINEMENT_SOFTNESS / h;
   const float *vx = f.speedX.row(k), *vz = f.speedZ.row(k);
   const float *vxLow = f.speedX.row(k - 1), *vzLow = f.speedZ.row(k - 1);
   const float *vxHigh = f.speedX.row(k + 1), *vzHigh = f.speedZ.row(k + 1);
@@ -39,7 +39,8 @@ void addConfinement(const CpuFields& f, int k, const float* low, const float* hi
     const float a = std::abs(low[i]), b = std::abs(low[i + 1]), c = std::abs(high[i]), d = std::abs(high[i + 1]);
     const float etaX = ((b + d) - (a + c)) * halfX, etaZ = ((c + d) - (a + b)) * halfZ;
     const float omega = ((low[i] + low[i + 1]) + (high[i] + high[i + 1])) * 0.25f;
-    const float push = scale * omega / (std::sqrt(etaX * etaX + etaZ * etaZ) + tiny);
+    const float blur = soft * ((a + b) + (c + d)) + tiny;
+    const float push = scale * omega / (std::sqrt(etaX * etaX + etaZ * etaZ) + blur);
     float dx = push * etaZ, dz = -push * etaX;
     const float own = vx[i] * vx[i] + vz[i] * vz[i];
     const float size = dx * dx + dz * dz;
