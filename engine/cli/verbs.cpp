@@ -7,12 +7,14 @@ namespace windloom::cli {
 VerbAction makeNewVerb(CLI::App& app);
 VerbAction makeValidateVerb(CLI::App& app);
 VerbAction makeInfoVerb(CLI::App& app);
+VerbAction makeDocsVerb(CLI::App& app);
 
 std::span<const Verb> verbs() {
   static const std::array kVerbs{
       Verb{"new", "Writes a new project from a template", makeNewVerb},
       Verb{"validate", "Checks project files and lists all problems", makeValidateVerb},
       Verb{"info", "Shows what is in a project and how much memory it needs", makeInfoVerb},
+      Verb{"docs", "Writes the project file's schema and the list of parameters", makeDocsVerb, VerbKind::Developer},
   };
   return kVerbs;
 }

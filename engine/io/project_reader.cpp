@@ -88,13 +88,11 @@ class Reader {
     const Place root;
     Project project;
     JsonDocument extra = JsonDocument::object();
-    static constexpr ParameterInfo kName{
-        .key = "name", .label = "Name", .unit = "", .help = "", .type = ParameterType::Text};
     for (const auto& [key, value] : document.items()) {
       const Place place = root.at(key);
       if (key == "format" || key == "version") continue;
       if (key == "name") {
-        if (auto name = readValue(kName, value, place)) project.name = std::get<std::string>(*std::move(name));
+        if (auto name = readValue(kProjectName, value, place)) project.name = std::get<std::string>(*std::move(name));
       } else if (key == "field") {
         readPart(project.field, value, place);
       } else if (key == "solver") {

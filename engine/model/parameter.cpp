@@ -1,5 +1,6 @@
 #include "engine/model/parameter.hpp"
 
+#include <charconv>
 #include <cmath>
 
 #include "engine/core/text.hpp"
@@ -80,6 +81,12 @@ struct Legal {
   bool operator()(const std::string& v) const { return legalText(v); }
 };
 
+/// Never with an exponent: "1000000", "0.0001".
+std::string plainNumber(double value) {
+  char buffer[400];
+  return {buffer, std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed).ptr};
+}
+
 }  // namespace
 
 std::string parameterProblem(const ParameterInfo& info, const ParameterValue& value) {
@@ -87,8 +94,12 @@ std::string parameterProblem(const ParameterInfo& info, const ParameterValue& va
   return "found " + foundText(info, value) + ", expected " + parameterExpectation(info);
 }
 
+std::string parameterRange(const ParameterInfo& info) {
+  return plainNumber(info.min) + " to " + plainNumber(info.max);
+}
+
 std::string parameterExpectation(const ParameterInfo& info) {
-  std::string range = " from " + shortest(info.min) + " to " + shortest(info.max);
+  std::string range = " from " + parameterRange(info);
   if (!info.unit.empty()) range += " (" + std::string(info.unit) + ")";
   switch (info.type) {
     case ParameterType::Real:

@@ -55,6 +55,9 @@ std::string parameterProblem(const ParameterInfo& info, const ParameterValue& va
 /// "a number from 0 to 100 (m/s)", "one of speed, force", "true or false" ...
 std::string parameterExpectation(const ParameterInfo& info);
 
+/// The range of a number as people write it: "0.0001 to 1000000".
+std::string parameterRange(const ParameterInfo& info);
+
 // Makers, used by parameters.cpp: real<&Arrow::strength>("strength", ...).
 namespace detail {
 template <class T>

@@ -18,4 +18,8 @@ template <> std::span<const Parameter<Camera>> parametersOf<Camera>();
 template <> std::span<const Parameter<TerrainSettings>> parametersOf<TerrainSettings>();
 template <> std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>();
 
+/// Project::name, which stands by itself.
+inline constexpr ParameterInfo kProjectName{
+    .key = "name", .label = "Name", .unit = "", .help = "Name of the project.", .type = ParameterType::Text};
+
 }  // namespace windloom

@@ -204,10 +204,8 @@ void checkBlades(Problems& problems, const Project& project) {
 Problems validateParts(const Project& project, const Project* valid) {
   Problems problems;
   const auto changed = [&](auto part) { return valid == nullptr || project.*part != valid->*part; };
-  static constexpr ParameterInfo kName{
-      .key = "name", .label = "Name", .unit = "", .help = "", .type = ParameterType::Text};
   if (changed(&Project::name)) {
-    std::string message = parameterProblem(kName, project.name);
+    std::string message = parameterProblem(kProjectName, project.name);
     if (!message.empty()) add(problems, "/name", std::move(message));
   }
   if (changed(&Project::field)) {
