@@ -18,7 +18,7 @@ enum class Srgb { Off, Encode };         ///< encode on writing to an sRGB targe
 struct PassState {
   unsigned framebuffer = 0;
   glm::ivec4 viewport{0, 0, 1, 1};    ///< x, y, width, height
-  std::optional<glm::ivec4> scissor;  ///< x, y, width, height
+  std::optional<glm::ivec4> scissor{};  ///< x, y, width, height
   Depth depth = Depth::Off;
   DepthCompare compare = DepthCompare::LessEqual;
   Blend blend = Blend::Off;

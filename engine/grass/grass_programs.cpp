@@ -1,0 +1,26 @@
+#include "engine/grass/grass_programs.hpp"
+
+#include <algorithm>
+
+namespace windloom {
+namespace {
+
+constexpr gpu::ProgramSpec kPrograms[] = {
+    {"grass/cull tiles", {"grass/cull_tiles.comp"}},
+    {"grass/place blades", {"grass/place_blades.comp"}},
+    {"grass/blade near", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=6"},
+    {"grass/blade middle", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=3"},
+    {"grass/blade far", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=1"},
+};
+
+}  // namespace
+
+std::span<const gpu::ProgramSpec> grassPrograms() { return kPrograms; }
+
+const gpu::ProgramSpec& grassProgram(std::string_view name) {
+  const auto* found = std::ranges::find(kPrograms, name, &gpu::ProgramSpec::name);
+  WL_REQUIRE(found != std::end(kPrograms), "the program is in the table");
+  return *found;
+}
+
+}  // namespace windloom

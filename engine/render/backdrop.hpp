@@ -1,0 +1,33 @@
+#pragma once
+// Sky and ground.
+
+#include "engine/gpu/pass_state.hpp"
+#include "engine/gpu/shader_library.hpp"
+#include "engine/gpu/texture.hpp"
+#include "engine/gpu/vertex_array.hpp"
+#include "engine/render/view_camera.hpp"
+
+namespace windloom {
+
+class Backdrop {
+ public:
+  /// Fails with Machine.
+  static Result<Backdrop> create(gpu::ShaderLibrary& shaders);
+
+  /// Draws clouds and ridges into their map once. Frame block and noise must be bound.
+  void bakeSky();
+  void drawGround(const gpu::PassState& state, const ViewCamera& camera) const;
+  void drawSky(const gpu::PassState& state) const;
+
+ private:
+  Backdrop() = default;
+  gpu::Program* m_bake = nullptr;
+  gpu::Program* m_sky = nullptr;
+  gpu::Program* m_ground = nullptr;
+  gpu::Texture m_skyMap;
+  gpu::Handle<gpu::FramebufferKind> m_skyTarget;
+  gpu::VertexArray m_noVertices;
+  bool m_baked = false;
+};
+
+}  // namespace windloom

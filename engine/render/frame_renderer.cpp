@@ -1,0 +1,204 @@
+#include "engine/render/frame_renderer.hpp"
+
+#include <epoxy/gl.h>
+
+#include "engine/core/log.hpp"
+#include "engine/gpu/context.hpp"
+#include "engine/gpu/debug_group.hpp"
+#include "engine/gpu/timer.hpp"
+#include "engine/grass/instanced_grass.hpp"
+#include "engine/render/backdrop.hpp"
+#include "engine/render/frame_block.hpp"
+#include "engine/render/noise_texture.hpp"
+#include "engine/render/render_programs.hpp"
+#include "engine/render/scene_targets.hpp"
+#include "engine/render/solids.hpp"
+#include "shaders/shared/render_bindings.h"
+
+namespace windloom {
+namespace {
+
+// A software renderer draws one sample a pixel below this detail: there the time goes further in blades.
+constexpr float kSoftwareMultisampleDetail = 0.6f;
+
+struct Parts {
+  InstancedGrass grass;
+  Backdrop backdrop;
+  SolidPass solids;
+  gpu::Texture noise;
+  gpu::Buffer frame;
+};
+
+Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
+  Result<InstancedGrass> grass = InstancedGrass::create(shaders);
+  if (!grass) return grass.error();
+  Result<Backdrop> backdrop = Backdrop::create(shaders);
+  if (!backdrop) return backdrop.error();
+  Result<SolidPass> solids = SolidPass::create(shaders);
+  if (!solids) return solids.error();
+  Result<gpu::Texture> noise = createNoiseTexture();
+  if (!noise) return noise.error();
+  Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
+  if (!frame) return frame.error();
+  return Parts{std::move(*grass), std::move(*backdrop), std::move(*solids), std::move(*noise), std::move(*frame)};
+}
+
+/// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
+class WindSampler {
+ public:
+  WindSampler() {
+    GLuint name = 0;
+    glCreateSamplers(1, &name);
+    m_name = name;
+    glSamplerParameteri(name, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    glSamplerParameteri(name, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    glSamplerParameteri(name, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  }
+  ~WindSampler() { glDeleteSamplers(1, &m_name); }
+  WindSampler(const WindSampler&) = delete;
+  WindSampler& operator=(const WindSampler&) = delete;
+
+  void bind() const { glBindSampler(RENDER_TEXTURE_WIND, m_name); }
+  static void unbind() { glBindSampler(RENDER_TEXTURE_WIND, 0); }
+
+ private:
+  GLuint m_name = 0;
+};
+
+class FrameRendererImpl final : public FrameRenderer {
+ public:
+  FrameRendererImpl(Parts parts, gpu::Program* toneMap, gpu::Program* toneMapMultisampled, bool software)
+      : m_parts(std::move(parts)), m_toneMap(toneMap), m_toneMapMultisampled(toneMapMultisampled), m_software(software) {
+    m_noVertices = gpu::VertexArray::create("tone map");
+  }
+
+  FrameStats render(const FrameInput& input) override {
+    WL_REQUIRE(input.project != nullptr, "a frame shows a project");
+    if (input.size.x <= 0 || input.size.y <= 0) return stats();
+    if (!adoptProject(*input.project) || !fitTargets(input)) return stats();
+    m_timer.beginFrame();
+    bindFrame(input);
+    m_timer.stage("grass cull");
+    m_parts.grass.prepare();
+    drawScene(input);
+    m_timer.stage("tone map");
+    drawPicture(input);
+    m_timer.endFrame();
+    WindSampler::unbind();
+    return stats();
+  }
+
+ private:
+  /// Passes take over the parts that changed. A part the machine refuses is logged once and the frame skipped.
+  bool adoptProject(const Project& project) {
+    if (project.field != m_field || project.grass != m_grass) {
+      if (!accept(m_parts.grass.configure(*project.field, *project.grass))) return false;
+    }
+    if (project.field != m_field || project.obstacles != m_obstacles) {
+      if (!accept(m_parts.solids.configure(*project.obstacles, *project.field))) return false;
+    }
+    m_field = project.field;
+    m_grass = project.grass;
+    m_obstacles = project.obstacles;
+    return true;
+  }
+
+  bool accept(const Status& status) {
+    if (status) return true;
+    const std::string text = status.error().text();
+    if (text != m_lastError) logError(text);
+    m_lastError = text;
+    return false;
+  }
+
+  bool fitTargets(const FrameInput& input) {
+    const int samples = m_software && input.quality.detail < kSoftwareMultisampleDetail ? 1 : 4;
+    if (m_targets.size() == input.size && m_targets.samples() == samples) return true;
+    m_targets = SceneTargets();
+    Result<SceneTargets> targets = SceneTargets::create(input.size, samples);
+    if (!targets) return accept(targets.error());
+    m_targets = std::move(*targets);
+    return true;
+  }
+
+  void bindFrame(const FrameInput& input) {
+    const FrameBlock block = makeFrameBlock(input, defaultLight());
+    m_parts.frame.write(&block, sizeof block);
+    m_parts.frame.bindUniform(RENDER_UBO_FRAME);
+    m_parts.grass.bindSettings(*input.project->grass, input.quality.detail);
+    m_parts.noise.bind(RENDER_TEXTURE_NOISE);
+    m_parts.solids.updateMap();
+    m_parts.solids.bindMap();
+    m_parts.backdrop.bakeSky();
+    // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glBindTextureUnit(RENDER_TEXTURE_WIND, input.wind.name != 0 ? input.wind.name : m_parts.noise.name());
+    m_windSampler.bind();
+  }
+
+  void drawScene(const FrameInput& input) {
+    const gpu::PassState state{.framebuffer = m_targets.scene(), .viewport = {0, 0, input.size.x, input.size.y},
+                               .depth = gpu::Depth::TestAndWrite};
+    gpu::apply(state);
+    m_targets.clearScene();
+    m_timer.stage("solids");
+    m_parts.solids.draw(state);
+    m_timer.stage("grass");
+    m_parts.grass.draw(state);
+    m_timer.stage("ground");
+    m_parts.backdrop.drawGround(state, input.camera);
+    m_timer.stage("sky");
+    m_parts.backdrop.drawSky(state);
+  }
+
+  void drawPicture(const FrameInput& input) {
+    const gpu::DebugGroup group("tone map");
+    gpu::apply({.framebuffer = input.framebuffer, .viewport = {input.origin.x, input.origin.y, input.size.x, input.size.y}});
+    const gpu::Program& program = m_targets.samples() > 1 ? *m_toneMapMultisampled : *m_toneMap;
+    program.use();
+    program.set("origin", input.origin);
+    program.set("withOverlay", 0);
+    m_targets.light().bind(RENDER_TEXTURE_SCENE);
+    m_targets.overlayColour().bind(RENDER_TEXTURE_OVERLAY);
+    m_noVertices.bind();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+
+  FrameStats stats() {
+    FrameStats stats;
+    stats.bladesTotal = m_parts.grass.layout().bladesTotal;
+    stats.bladesDrawn = m_parts.grass.bladesDrawn();
+    stats.passMs = m_timer.stages();
+    stats.gpuMs = m_timer.totalMs();
+    return stats;
+  }
+
+  Parts m_parts;
+  gpu::Program* m_toneMap;
+  gpu::Program* m_toneMapMultisampled;
+  bool m_software;
+  WindSampler m_windSampler;
+  gpu::VertexArray m_noVertices;
+  SceneTargets m_targets;
+  gpu::GpuTimer m_timer;
+  Shared<FieldSettings> m_field;
+  Shared<GrassSettings> m_grass;
+  Shared<std::vector<Obstacle>> m_obstacles;
+  std::string m_lastError;
+};
+
+}  // namespace
+
+Result<std::unique_ptr<FrameRenderer>> FrameRenderer::create(gpu::Context& context, gpu::ShaderLibrary& shaders) {
+  Result<Parts> parts = createParts(shaders);
+  if (!parts) return parts.error();
+  gpu::Program *toneMap = nullptr, *toneMapMultisampled = nullptr;
+  if (Status loaded = loadPrograms(shaders, {{"post/tone map", &toneMap}, {"post/tone map multisampled", &toneMapMultisampled}}); !loaded) {
+    return loaded.error();
+  }
+  return std::unique_ptr<FrameRenderer>(
+      std::make_unique<FrameRendererImpl>(std::move(*parts), toneMap, toneMapMultisampled, context.info().software));
+}
+
+}  // namespace windloom

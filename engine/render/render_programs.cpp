@@ -1,0 +1,37 @@
+#include "engine/render/render_programs.hpp"
+
+#include <algorithm>
+
+namespace windloom {
+namespace {
+
+constexpr gpu::ProgramSpec kPrograms[] = {
+    {"sky/bake", {"include/fullscreen.vert", "sky/sky_bake.frag"}},
+    {"sky/sky", {"include/fullscreen.vert", "sky/sky.frag"}},
+    {"terrain/ground", {"terrain/ground.vert", "terrain/ground.frag"}},
+    {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
+    {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
+    {"post/tone map", {"include/fullscreen.vert", "post/tone_map.frag"}, "SAMPLES=1"},
+    {"post/tone map multisampled", {"include/fullscreen.vert", "post/tone_map.frag"}, "SAMPLES=4"},
+};
+
+}  // namespace
+
+std::span<const gpu::ProgramSpec> renderPrograms() { return kPrograms; }
+
+const gpu::ProgramSpec& renderProgram(std::string_view name) {
+  const auto* found = std::ranges::find(kPrograms, name, &gpu::ProgramSpec::name);
+  WL_REQUIRE(found != std::end(kPrograms), "the program is in the table");
+  return *found;
+}
+
+Status loadPrograms(gpu::ShaderLibrary& shaders, std::initializer_list<std::pair<std::string_view, gpu::Program**>> wanted) {
+  for (const auto& [name, place] : wanted) {
+    Result<gpu::Program*> program = shaders.load(renderProgram(name));
+    if (!program) return program.error();
+    *place = *program;
+  }
+  return Done{};
+}
+
+}  // namespace windloom

@@ -1,0 +1,49 @@
+#pragma once
+// Obstacles: drawn as stone, and mapped (distance and shadow height) for the grass and ground around them.
+
+#include <vector>
+
+#include "engine/gpu/buffer.hpp"
+#include "engine/gpu/pass_state.hpp"
+#include "engine/gpu/shader_library.hpp"
+#include "engine/gpu/texture.hpp"
+#include "engine/gpu/vertex_array.hpp"
+#include "engine/model/project.hpp"
+#include "engine/render/frame_block.hpp"
+#include "shaders/shared/solid.h"
+
+namespace windloom {
+
+using shared::Solid;
+
+/// The obstacles that are drawn: hidden ones are left out.
+std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles);
+
+class SolidPass {
+ public:
+  /// Fails with Machine.
+  static Result<SolidPass> create(gpu::ShaderLibrary& shaders);
+
+  /// Takes over obstacles; the map is drawn anew by the next updateMap(). Fails with Machine.
+  Status configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field);
+
+  /// Draws the map where it is out of date. The frame block must be bound.
+  void updateMap();
+  void bindMap() const;
+  void draw(const gpu::PassState& state) const;
+
+ private:
+  SolidPass() = default;
+  Status makeMap(glm::ivec2 size);
+
+  gpu::Program* m_draw = nullptr;
+  gpu::Program* m_drawMap = nullptr;
+  gpu::Buffer m_solids;
+  gpu::Texture m_distance, m_shadow;
+  gpu::Handle<gpu::FramebufferKind> m_map;
+  gpu::VertexArray m_noVertices;
+  int m_count = 0;
+  bool m_mapFresh = false;
+};
+
+}  // namespace windloom

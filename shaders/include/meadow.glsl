@@ -1,0 +1,107 @@
+// How grass takes light. Needs frame.glsl, noise.glsl, wind_field.glsl.
+// Translucency by opposite signs of N.L and N.V, and mutual shadow growing towards the base, follow
+// Belyaev, Laevsky & Chukanov 2011 (Inertial grassland); mean reflection of many blades around one
+// lean follows the cylinder model of Kajiya & Kay 1989.
+#include "shaders/shared/grass_block.h"
+
+layout(std140, binding = RENDER_UBO_GRASS) uniform GrassUniforms { GrassBlock grass; };
+
+// Broad patches of the meadow, seen in blades and in the far ground alike: x dryness, y brightness.
+vec2 meadowPatch(vec2 world) {
+  vec4 broad = noiseAtLevel(world, 61.0, 1.0);
+  vec4 small = noiseAtLevel(world.yx, 17.0, 2.0);
+  float dry = smoothstep(0.35, 0.75, 0.6 * broad.g + 0.4 * small.r);
+  return vec2(dry, 0.75 + 0.5 * (0.5 * broad.r + 0.5 * small.g));
+}
+
+// Colour along a blade. `height` 0..1, `dry` 0..1, `hue` -1 bluish .. 1 yellowish.
+vec3 bladeAlbedo(float height, float dry, float bright, float hue) {
+  vec3 green = mix(grass.baseColour.rgb, grass.tipColour.rgb, smoothstep(0.0, 1.0, height));
+  vec3 straw = mix(grass.baseColour.rgb * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, height));
+  vec3 colour = mix(green, straw, dry);
+  return colour * bright * (vec3(1.0) + hue * vec3(0.16, 0.03, -0.14));
+}
+
+// Sunlight that reaches a height (0 root .. 1 top of the canopy) through the blades above it.
+float sunInCanopy(float height, float open) {
+  float depth = max(1.0 - height, 0.0) * open;
+  return exp(-1.15 * depth / max(frame.sunDirection.y, 0.2));
+}
+
+float skyInCanopy(float height) { return mix(0.16, 1.0, height * (2.0 - height)); }
+
+struct GrassLight {
+  float height;    // 0 root .. 1 top of the canopy
+  float dense;     // 0 bare .. 1 closed canopy
+  float sunlit;    // 0 in the shadow of a solid
+  float shade;     // factor of eq. 14
+};
+
+vec3 transmitted(vec3 albedo) { return albedo * vec3(1.25, 1.2, 0.45) + vec3(0.02, 0.022, 0.0) * albedo.g; }
+
+// Light from a point of one blade towards `v`; `n` is the blade's normal on the side seen.
+vec3 lightBlade(vec3 albedo, vec3 n, vec3 v, GrassLight at) {
+  vec3 l = frame.sunDirection.xyz;
+  float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
+  float nl = dot(n, l);
+  float forward = pow(max(dot(v, -l), 0.0), 4.0);
+  vec3 direct = albedo * max(nl, 0.0) + transmitted(albedo) * max(-nl, 0.0) * (0.55 + 0.9 * forward);
+  vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * (0.75 + 0.25 * n.y);
+  vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
+  float sheen = pow(max(dot(n, normalize(v + l)), 0.0), 14.0) * (0.04 + 0.5 * pow(1.0 - max(dot(n, v), 0.0), 4.0));
+  vec3 colour = frame.sunColour.rgb * sun * direct + albedo * (sky + bounce);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35);
+}
+
+// Mean light of the canopy from far: blades of every direction around the stem direction `t`.
+vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
+  vec3 l = frame.sunDirection.xyz;
+  float tl = dot(t, l);
+  float tv = dot(t, v);
+  float sinL = sqrt(max(1.0 - tl * tl, 0.0));
+  float sinV = sqrt(max(1.0 - tv * tv, 0.0));
+  // Share of the light that meets the side seen: the angle between sun and eye around the stem.
+  float around = clamp((dot(l, v) - tl * tv) / max(sinL * sinV, 0.05), -1.0, 1.0);
+  float front = 0.5 + 0.5 * around;
+  float forward = pow(max(dot(v, -l), 0.0), 4.0);
+  float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
+  vec3 direct = sinL * 0.64 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.55 + 0.9 * forward));
+  vec3 h = normalize(v + l);
+  float th = dot(t, h);
+  float sheen = pow(max(1.0 - th * th, 0.0), 7.0) * (0.03 + 0.2 * pow(1.0 - max(sinV, 0.0), 2.0)) + 0.05 * forward * sinL;
+  vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * 0.85;
+  vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
+  vec3 colour = frame.sunColour.rgb * sun * direct + albedo * (sky + bounce);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35);
+}
+
+// Eq. 14 of Choi & Sung 2024: `height` of the point over its root after bending in blade lengths, `force`
+// |F|. Low and pushed-down grass darkens, between m_min and m_max.
+float heightWindShade(float height, float force) {
+  return clamp(height - force * grass.shadow.z + grass.shadow.w, grass.shadow.x, grass.shadow.y);
+}
+
+// |F| of eq. 14. Bounded for arc, so that a gale doesn't turn the meadow black.
+float shadeForce(float speed) {
+  float force = grass.motion.x * speed;
+  return grass.size.w == GRASS_DEFORMATION_ARC ? force / (1.0 + force) : force;
+}
+
+// The stem direction of grass under a wind: mean over blades.
+vec3 meanStem(vec2 wind) {
+  vec2 bend = arcSteadyBend(vec2(0.0), wind, grass.motion.x);
+  float angle = length(bend);
+  if (angle < 1e-4) return vec3(0.0, 1.0, 0.0);
+  return vec3(bend.x / angle * sin(angle), cos(angle), bend.y / angle * sin(angle));
+}
+
+// The meadow as seen from where single blades can't be told apart.
+vec3 meadowColour(vec2 world, vec2 wind, vec3 v, float sunlit) {
+  vec2 patchTint = meadowPatch(world);
+  vec3 stem = meanStem(wind);
+  // A low eye sees the tips, a high one looks down into the canopy.
+  float height = mix(0.78, 0.55, max(v.y, 0.0));
+  GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(height * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
+  vec3 albedo = bladeAlbedo(height, patchTint.x * grass.dryColour.w * 1.3, patchTint.y, 0.0);
+  return lightCanopy(albedo, stem, v, at);
+}

@@ -1,0 +1,25 @@
+// Binding numbers of everything the renderers bind, in one place for C++ and GLSL.
+#ifndef WINDLOOM_SHARED_RENDER_BINDINGS_H
+#define WINDLOOM_SHARED_RENDER_BINDINGS_H
+
+// Uniform buffers.
+#define RENDER_UBO_FRAME 0
+#define RENDER_UBO_GRASS 1
+
+// Textures.
+#define RENDER_TEXTURE_WIND 0
+#define RENDER_TEXTURE_NOISE 1
+#define RENDER_TEXTURE_SKY 2
+#define RENDER_TEXTURE_SOLID_DISTANCE 3
+#define RENDER_TEXTURE_SOLID_SHADOW 4
+#define RENDER_TEXTURE_SCENE 5
+#define RENDER_TEXTURE_OVERLAY 6
+
+// Storage buffers.
+#define RENDER_SSBO_CHUNKS 0
+#define RENDER_SSBO_BLADES 1
+#define RENDER_SSBO_COMMANDS 2
+#define RENDER_SSBO_SOLIDS 3
+#define RENDER_SSBO_MARKS 4
+
+#endif
