@@ -1,0 +1,204 @@
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+
+#include "engine/bake/bake.hpp"
+#include "engine/cli/common.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/verbs.hpp"
+#include "engine/cli/wind_context.hpp"
+#include "engine/core/text.hpp"
+
+namespace windloom::cli {
+namespace {
+
+struct Options : CommonOptions {
+  std::string file, out, initial, resolution;
+  std::string preset = "generic";
+  std::vector<std::string> formats;
+  double from = 0;
+  std::optional<double> seconds, fps, speedRange;
+  std::optional<long> steps;
+  bool loop = false;
+  int threads = 0;
+};
+
+constexpr double kDefaultSeconds = 2, kDefaultFps = 30;
+constexpr int kMaxSide = 8192;  // cells; as for the field itself and for wind packs
+
+std::string namesOf(const auto& list) {
+  std::string names;
+  for (const auto& entry : list) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+std::optional<glm::ivec2> parseResolution(const std::string& text) {
+  const auto cross = text.find_first_of("xX");
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parseNumber(text.substr(0, cross)), height = parseNumber(text.substr(cross + 1));
+  const auto sensible = [](const std::optional<double>& side) {
+    return side && *side >= 1 && *side <= kMaxSide && *side == std::floor(*side);
+  };
+  if (!sensible(width) || !sensible(height)) return std::nullopt;
+  return glm::ivec2(*width, *height);
+}
+
+/// Which frames: --steps alone gives the one field that many steps after --from; with --fps all frames up to there.
+Result<RecordPlan> planOf(const Options& options, const Project& project) {
+  RecordPlan plan;
+  plan.from = options.from;
+  plan.fps = options.fps.value_or(kDefaultFps);
+  double frames = 1;
+  if (options.steps) {
+    const double seconds = static_cast<double>(*options.steps) * static_cast<double>(project.field->timeStep);
+    if (options.fps) {
+      frames = std::floor(seconds * plan.fps + 1e-6) + 1;
+    } else {
+      plan.from += seconds;
+    }
+  } else {
+    frames = std::max(1.0, std::round(options.seconds.value_or(kDefaultSeconds) * plan.fps));
+  }
+  if (frames > kMaxBakeFrames) {
+    return makeError(ErrorKind::Usage, "that is " + fixed(frames, 0) + " frames, at most " + std::to_string(kMaxBakeFrames) +
+                                           " can be baked; use less --seconds or --fps");
+  }
+  plan.frames = static_cast<int>(frames);
+  plan.crossfade = options.loop ? crossfadeFor(plan.frames) : 0;
+  return plan;
+}
+
+Result<BakeRequest> requestOf(const Options& options, const Project& project) {
+  BakeRequest request;
+  request.folder = options.out;
+  request.loop = options.loop;
+  for (const std::string& name : options.formats) {
+    const WriterKind* kind = writerKindNamed(name);
+    if (kind == nullptr) {
+      return makeError(ErrorKind::Usage, "--format: found '" + name + "', expected of " + namesOf(writerKinds()));
+    }
+    if (std::find(request.formats.begin(), request.formats.end(), kind) == request.formats.end()) request.formats.push_back(kind);
+  }
+  const std::optional<Preset> preset = presetNamed(options.preset);
+  if (!preset) {
+    return makeError(ErrorKind::Usage, "--preset: found '" + options.preset + "', expected one of " + namesOf(presets()));
+  }
+  request.preset = *preset;
+  if (!options.resolution.empty()) {
+    request.resolution = parseResolution(options.resolution);
+    if (!request.resolution) {
+      return makeError(ErrorKind::Usage, "--resolution: found '" + options.resolution + "', expected WxH in cells, 1 to " +
+                                             std::to_string(kMaxSide) + " a side");
+    }
+  }
+  if (options.speedRange) request.speedRange = static_cast<float>(*options.speedRange);
+  const Result<RecordPlan> plan = planOf(options, project);
+  if (!plan) return plan.error();
+  request.plan = *plan;
+  return request;
+}
+
+void printReport(const Options& options, const BakeReport& report, Backend backend, double wallSeconds) {
+  const BakeHeader& header = report.header;
+  if (options.json) {
+    printJson({{"ok", true},
+               {"folder", options.out},
+               {"files", report.files},
+               {"bytes", report.bytes},
+               {"frames", header.frames},
+               {"fps", header.fps},
+               {"grid", {header.grid.resolution.x, header.grid.resolution.y}},
+               {"steps", report.steps},
+               {"backend", backendName(backend)},
+               {"fastest", jsonNumber(header.fastest)},
+               {"wallSeconds", wallSeconds}});
+    return;
+  }
+  std::printf("%s: %zu files, %s MB: %d frames of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
+              options.out.c_str(), report.files.size(), fixed(static_cast<double>(report.bytes) / 1e6, 1).c_str(),
+              header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
+              fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend), fixed(wallSeconds, 1).c_str());
+}
+
+int runBake(const Options& options) {
+  const auto start = std::chrono::steady_clock::now();
+  const Result<Project> project = loadWithWarnings(options.file);
+  if (!project) return reportError(project.error(), options);
+  const Result<BakeRequest> request = requestOf(options, *project);
+  if (!request) return reportError(request.error(), options);
+  const Result<WindContext> wind = openWindContext(options.backend, *project);
+  if (!wind) return reportError(wind.error(), options);
+  Result<std::unique_ptr<Simulation>> made = makeSimulation(*project, options.backend, *wind, options.threads);
+  if (!made) return reportError(made.error(), options);
+  Simulation& simulation = **made;
+  if (!options.initial.empty()) {
+    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded) return reportError(loaded.error(), options);
+  }
+  noteInterrupts();
+  Result<BakeReport> report = BakeReport{};
+  {
+    Progress progress;
+    report = bake(simulation, *request, [&](const BakeProgress& p) {
+      progress.show(p.phase == BakePhase::Recording ? "recording" : "writing", p.part);
+      return !interrupted();
+    });
+  }
+  if (!report) return reportError(report.error(), options);
+  if (report->cancelled) {
+    std::fprintf(stderr, "windloom: the bake was cancelled; nothing was written\n");
+    return kExitInterrupted;
+  }
+  const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;
+  printReport(options, *report, simulation.solver().backend(), wall.count());
+  return kExitDone;
+}
+
+}  // namespace
+
+VerbAction makeBakeVerb(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
+  app.add_option("--out", options->out, "Folder for the files, made if needed")->type_name("DIR")->required();
+  app.add_option("--format", options->formats, "What to write, separated by commas: " + namesOf(writerKinds()))
+      ->type_name("F[,F...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->required();
+  app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
+      ->type_name("NAME")
+      ->capture_default_str();
+  app.add_option("--from", options->from, "Moment of the first frame, s")->type_name("S")->check(CLI::Range(0.0, 1e6));
+  auto* seconds = app.add_option("--seconds", options->seconds, "Length of the recording, s (default 2)")
+                      ->type_name("S")
+                      ->check(CLI::Range(1e-6, 1e6));
+  app.add_option("--fps", options->fps, "Frames a second (default 30)")->type_name("N")->check(CLI::Range(0.01, 10000.0));
+  app.add_option("--steps", options->steps,
+                 "Count in solver steps: write the one field N steps after --from, or with --fps all frames up to it")
+      ->type_name("N")
+      ->check(CLI::Range(0L, 100'000'000L))
+      ->excludes(seconds);
+  app.add_option("--resolution", options->resolution,
+                 "Cells of the written frames; the wind always runs on the project's (default: the same)")
+      ->type_name("WxH");
+  app.add_flag("--loop", options->loop, "Blend the end into the start, so that the recording repeats without a jump");
+  app.add_option("--initial", options->initial,
+                 "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier bake's last frame")
+      ->type_name("FILE.npy");
+  app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
+      ->type_name("V")
+      ->check(CLI::Range(1e-3, 1e4));
+  app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+  addCommonOptions(app, *options);
+  std::string footer = "Formats, each listed with its checksum in manifest.json:\n";
+  for (const WriterKind& kind : writerKinds()) footer += "  " + std::string(kind.name) + ": " + std::string(kind.help) + "\n";
+  footer += "Presets:\n";
+  for (const PresetRules& rules : presets()) footer += "  " + std::string(rules.name) + ": " + std::string(rules.help) + "\n";
+  app.footer(footer + "Ctrl+C ends a bake without leaving files.");
+  return [options] { return runBake(*options); };
+}
+
+}  // namespace windloom::cli
