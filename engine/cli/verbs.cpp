@@ -7,6 +7,7 @@ namespace windloom::cli {
 VerbAction makeNewVerb(CLI::App& app);
 VerbAction makeValidateVerb(CLI::App& app);
 VerbAction makeInfoVerb(CLI::App& app);
+VerbAction makeEditVerb(CLI::App& app);
 VerbAction makeDocsVerb(CLI::App& app);
 
 std::span<const Verb> verbs() {
@@ -14,6 +15,7 @@ std::span<const Verb> verbs() {
       Verb{"new", "Writes a new project from a template", makeNewVerb},
       Verb{"validate", "Checks project files and lists all problems", makeValidateVerb},
       Verb{"info", "Shows what is in a project and how much memory it needs", makeInfoVerb},
+      Verb{"edit", "Starts the editor", makeEditVerb},
       Verb{"docs", "Writes the project file's schema and the list of parameters", makeDocsVerb, VerbKind::Developer},
   };
   return kVerbs;
