@@ -1,0 +1,262 @@
+#include "editor/app/app.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include "editor/app/frame_picture.hpp"
+#include "editor/app/keys.hpp"
+#include "editor/widgets/number_field.hpp"
+#include "engine/core/log.hpp"
+
+namespace windloom::editor {
+
+namespace {
+
+/// $VARIABLE/windloom, or windloom in the fallback below the home folder.
+std::filesystem::path userFolder(const char* variable, const char* fallback) {
+  if (const char* set = std::getenv(variable); set && set[0] != 0) return std::filesystem::path(set) / "windloom";
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home ? home : ".") / fallback / "windloom";
+}
+
+}  // namespace
+
+Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
+  const auto preferencesFile = userFolder("XDG_CONFIG_HOME", ".config") / "preferences.json";
+  const Preferences preferences = line.screenshot.empty() ? editor::readPreferences(preferencesFile) : Preferences{};
+  WindowOptions options;
+  options.width = line.width.value_or(int(preferences.number("window.width", options.width)));
+  options.height = line.height.value_or(int(preferences.number("window.height", options.height)));
+  options.maximised = !line.width && preferences.number("window.maximised", 0) != 0;
+  auto window = Window::create(options, line.screenshot.empty());
+  if (!window) return window.error();
+  std::unique_ptr<App> app(new App(line, std::move(window).value()));
+  app->m_preferencesFile = preferencesFile;
+  auto live = LiveView::create();
+  if (!live) return live.error();
+  app->m_live = std::move(live).value();
+  app->readPreferences();
+  app->applyLook();
+  app->connect();
+  app->registerActions();
+  if (const Status keymap = app->m_workspace.actions.applyKeymap(app->m_workspace.preferences.keymap); !keymap)
+    logWarning(keymap.error().text());
+  if (!line.file.empty()) app->m_workspace.flow.requestOpen(line.file);
+  return app;
+}
+
+App::App(const CommandLine& line, std::unique_ptr<Window> window)
+    : m_line(line),
+      m_window(std::move(window)),
+      m_autosave(userFolder("XDG_STATE_HOME", ".local/state") / "autosave", std::to_string(::getpid())) {
+  ImGui::GetIO().UserData = &m_look;
+  if (!line.uiMap.empty()) m_look.map.setFile(line.uiMap);
+}
+
+App::~App() {
+  // The workspace's callbacks point here.
+  m_workspace.flow.onFailure = {};
+  m_workspace.flow.onDone = {};
+  m_workspace.flow.onReplaced = {};
+  m_workspace.flow.onFileUsed = {};
+}
+
+void App::connect() {
+  m_workspace.readClipboard = [this] { return m_window->clipboard(); };
+  m_workspace.writeClipboard = [this](const std::string& text) { m_window->setClipboard(text); };
+  DocumentFlow& flow = m_workspace.flow;
+  flow.onFailure = [this](const Error& error) {
+    logError(error.text());
+    m_dialogs.showError(error.text());
+  };
+  flow.onDone = [this](const std::string& text) {
+    logInfo(text);
+    m_workspace.say(MessageKind::Info, text);
+  };
+  flow.onReplaced = [this, before = flow.onReplaced] {
+    if (before) before();
+    m_live->restart();
+  };
+  flow.onFileUsed = [this](const std::filesystem::path& path) {
+    m_workspace.preferences.usedFile(path);
+    writePreferences();
+  };
+  if (m_line.screenshot.empty()) m_dialogs.offerRescues(findRescues(m_autosave.sideFile().parent_path()));
+}
+
+void App::readPreferences() {
+  if (!m_line.screenshot.empty()) return;
+  std::vector<std::string> warnings;
+  m_workspace.preferences = editor::readPreferences(m_preferencesFile, &warnings);
+  for (const std::string& warning : warnings) logWarning(warning);
+  const Preferences& preferences = m_workspace.preferences;
+  m_layout.left = float(preferences.number("layout.left", double(m_layout.left)));
+  m_layout.right = float(preferences.number("layout.right", double(m_layout.right)));
+  m_layout.bottom = float(preferences.number("layout.bottom", double(m_layout.bottom)));
+  m_layout.timeline = float(preferences.number("layout.timeline", double(m_layout.timeline)));
+  m_viewport.overlays.arrows = preferences.number("overlay.arrows", 1) != 0;
+  m_viewport.overlays.vectors = preferences.number("overlay.vectors", 0) != 0;
+  m_viewport.overlays.speed = preferences.number("overlay.speed", 0) != 0;
+}
+
+void App::writePreferences() {
+  if (!m_line.screenshot.empty()) return;
+  auto& numbers = m_workspace.preferences.numbers;
+  numbers["layout.left"] = double(m_layout.left);
+  numbers["layout.right"] = double(m_layout.right);
+  numbers["layout.bottom"] = double(m_layout.bottom);
+  numbers["layout.timeline"] = double(m_layout.timeline);
+  numbers["overlay.arrows"] = m_viewport.overlays.arrows;
+  numbers["overlay.vectors"] = m_viewport.overlays.vectors;
+  numbers["overlay.speed"] = m_viewport.overlays.speed;
+  numbers["window.maximised"] = m_window->maximised();
+  if (!m_window->maximised() && !m_line.width) {
+    numbers["window.width"] = m_window->size().x;
+    numbers["window.height"] = m_window->size().y;
+  }
+  if (const Status status = editor::writePreferences(m_preferencesFile, m_workspace.preferences); !status)
+    logWarning(status.error().text());
+}
+
+void App::applyLook() {
+  const Preferences& preferences = m_workspace.preferences;
+  m_look.theme = preferences.theme;
+  m_look.scale = m_line.scale > 0                 ? m_line.scale
+                 : preferences.interfaceScale > 0 ? preferences.interfaceScale
+                                                  : m_window->contentScale();
+  applyTheme(m_look);
+  loadFonts(m_look);
+  m_window->remakeFonts();
+  m_workspace.toolSettings.hitRadiusPx = kHitRadiusPx * m_look.scale;
+  m_lookChanged = false;
+}
+
+int App::run() {
+  while (!m_exit) {
+    if (m_lookChanged) applyLook();
+    m_window->beginFrame(waitSeconds(), typingPending());
+    frame();
+    if (m_window->closeRequested()) {
+      m_window->keepOpen();
+      m_workspace.flow.requestQuit();
+    }
+    if (m_workspace.flow.quitConfirmed()) m_exit = 0;
+  }
+  m_autosave.finish();
+  writePreferences();
+  return *m_exit;
+}
+
+double App::waitSeconds() const {
+  if (!m_line.screenshot.empty()) return 0;
+  const bool playing = m_live->session() && m_live->session()->playing();
+  // Nothing moves: wake for events, and now and then for the blinking text cursor.
+  if (!playing && m_idleSeconds > 0.5) return 0.1;
+  // Screens show 60 pictures a second; where swapping doesn't wait for them, this does.
+  const double spent = std::chrono::duration<double>(Clock::now() - m_lastFrame).count();
+  return std::max(0.0, 1.0 / 60 - spent - 0.001);
+}
+
+PanelContext App::panelContext() { return {m_workspace, m_live->session(), m_live->facts()}; }
+
+void App::passKeys() {
+  const ImGuiIO& io = ImGui::GetIO();
+  const bool busy = io.WantTextInput || m_dialogs.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  for (const InputEvent& event : m_window->events()) {
+    if (event.kind == InputEvent::Kind::Focus && event.action == 0) {
+      m_workspace.focusLost();
+      m_viewport.focusLost();
+    }
+    if (event.kind != InputEvent::Kind::Key) continue;
+    const Key key = translateKey(event.code, event.scancode);
+    if (key == Key::None) continue;
+    if (event.action == GLFW_RELEASE)
+      m_workspace.keyReleased(key);
+    else if (!busy)
+      m_workspace.keyPressed({key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT});
+  }
+}
+
+void App::openDropped() {
+  for (const std::filesystem::path& path : m_window->takeDrops()) {
+    if (path.string().ends_with(".json")) return m_workspace.flow.requestOpen(path);
+    m_workspace.say(MessageKind::Warning, path.filename().string() + ": drop a project, NAME.wind.json");
+  }
+}
+
+void App::tellMap() {
+  if (!m_look.map.on()) return;
+  UiMap& map = m_look.map;
+  const Document& document = m_workspace.document;
+  map.fact("title", m_title);
+  map.fact("dirty", document.dirty() ? "yes" : "no");
+  map.fact("steps", std::to_string(document.history().position()));
+  map.fact("tool", m_workspace.tools.active().id());
+  map.fact("hovered", std::to_string(m_workspace.tools.hovered()));
+  map.fact("selection", describeIds(document.project(), m_workspace.selection.ids()));
+  map.fact("dragging", m_workspace.tools.busy() ? "yes" : "no");
+  map.fact("typing", ImGui::GetIO().WantTextInput ? "yes" : "no");
+  const EditorCamera& camera = m_workspace.camera;
+  map.fact("view", camera.orthographic && camera.pitch == 90 ? "top" : camera.orthographic ? "orthographic" : "perspective");
+  map.fact("scene", m_live->session() ? "yes" : "no");
+}
+
+void App::frame() {
+  const Clock::time_point now = Clock::now();
+  const double seconds = m_line.screenshot.empty() ? std::chrono::duration<double>(now - m_lastFrame).count() : 1.0 / 30;
+  m_lastFrame = now;
+  m_idleSeconds = m_window->events().empty() ? m_idleSeconds + seconds : 0;
+  // Slow frames must not break double clicks: press and release take a frame each.
+  ImGui::GetIO().MouseDoubleClickTime = std::max(0.3f, float(seconds) * 6);
+
+  passKeys();
+  openDropped();
+  const ImGuiIO& io = ImGui::GetIO();
+  m_workspace.tick(seconds, {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt});
+  drawInterface();
+  m_window->endFrame();
+  drawPicture(seconds);
+  if (m_line.screenshot.empty())
+    if (const Status status = m_autosave.tick(m_workspace.document, ImGui::GetTime()); !status)
+      m_workspace.say(MessageKind::Warning, status.error().text());
+
+  if (const std::string title = m_workspace.document.title(); title != m_title) m_window->setTitle(m_title = title);
+  tellMap();
+  m_look.map.endFrame();
+  ++m_frames;
+}
+
+void App::drawPicture(double seconds) {
+  m_live->follow(m_workspace.document);
+  m_live->advance(seconds);
+  bool drawn = false;
+  if (Session* session = m_live->session()) {
+    PanelContext context = panelContext();
+    m_probes.sample(context);
+    drawn = m_viewport.updatePicture(*session, m_workspace, m_window->pixelRatio(), m_live->detail());
+  }
+  const ImVec4& back = m_look.palette.border;
+  m_window->clear({back.x, back.y, back.z});
+  m_viewport.copyPicture(m_window->framebufferSize(), m_window->pixelRatio());
+  m_window->paint();
+  if (!m_line.screenshot.empty() && m_frames + 1 >= m_line.frames) finishScreenshot();
+  m_window->swap();
+  if (m_frames == 0) {
+    const double took = std::chrono::duration<double>(Clock::now() - m_started).count();
+    logInfo("First frame after " + std::to_string(int(took * 1000)) + " ms");
+  }
+  m_live->frameDone(seconds, drawn);
+}
+
+void App::finishScreenshot() {
+  const Status status = saveFramePicture(m_line.screenshot, m_window->framebufferSize());
+  if (!status) logError(status.error().text());
+  m_exit = status.ok() ? 0 : 3;
+}
+
+}  // namespace windloom::editor

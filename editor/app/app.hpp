@@ -1,0 +1,91 @@
+#pragma once
+// The editor: owns everything in the order it is built up, and passes to each part what it needs.
+
+#include <chrono>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "editor/app/command_line.hpp"
+#include "editor/app/dialogs.hpp"
+#include "editor/app/live_view.hpp"
+#include "editor/app/window.hpp"
+#include "editor/core/autosave.hpp"
+#include "editor/core/workspace.hpp"
+#include "editor/panels/command_palette.hpp"
+#include "editor/panels/export_panel.hpp"
+#include "editor/panels/inspector_panel.hpp"
+#include "editor/panels/log_panel.hpp"
+#include "editor/panels/outliner.hpp"
+#include "editor/panels/probe_panel.hpp"
+#include "editor/panels/status_bar.hpp"
+#include "editor/viewport/viewport.hpp"
+
+namespace windloom::editor {
+
+class App {
+ public:
+  /// Opens the window. Fails with Machine: no display, no OpenGL 4.5, no shaders.
+  static Result<std::unique_ptr<App>> create(const CommandLine& line);
+  ~App();
+
+  /// Until the window is closed. The exit status.
+  int run();
+
+ private:
+  /// Sizes of the areas around the viewport, px at 100%.
+  struct Layout {
+    float left = 220, right = 320, bottom = 190, timeline = 460;
+  };
+
+  App(const CommandLine& line, std::unique_ptr<Window> window);
+  void connect();         // workspace to window, dialogs, live view
+  void registerActions();  // what is not the core's: play, overlays, view, help
+  void registerViewActions();
+  void readPreferences();
+  void writePreferences();
+  void applyLook();
+
+  void frame();
+  void passKeys();
+  void drawInterface();
+  void drawAreas(PanelContext& context);
+  void drawBottom(PanelContext& context, ImVec2 min, ImVec2 max);
+  void drawAbout();
+  void drawPicture(double seconds);
+  void finishScreenshot();
+  void openDropped();
+  void tellMap();
+  [[nodiscard]] double waitSeconds() const;
+  [[nodiscard]] PanelContext panelContext();
+
+  CommandLine m_line;
+  std::filesystem::path m_preferencesFile;
+  Look m_look;
+  std::unique_ptr<Window> m_window;
+  LogPanel m_log;
+  Workspace m_workspace;
+  Autosave m_autosave;
+  Dialogs m_dialogs{m_workspace};
+  std::unique_ptr<LiveView> m_live;
+  Viewport m_viewport;
+
+  Outliner m_outliner;
+  ProbePanel m_probes;
+  StatusBar m_status;
+  InspectorPanel m_inspector;
+  ExportPanel m_export;
+  CommandPalette m_palette;
+  Layout m_layout;
+  bool m_helpOpen = false, m_aboutOpen = false, m_lookChanged = false;
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point m_started = Clock::now(), m_lastFrame = Clock::now();
+  double m_idleSeconds = 0;  // since something last happened
+  int m_frames = 0;
+  std::string m_title;
+  std::optional<int> m_exit;
+};
+
+}  // namespace windloom::editor

@@ -1,0 +1,174 @@
+#include "editor/app/dialogs.hpp"
+
+#include <initializer_list>
+
+#include "editor/widgets/icons.hpp"
+#include "engine/core/log.hpp"
+
+namespace windloom::editor {
+
+namespace {
+
+bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+
+/// Begins a message box in the middle of the window. Its content follows where it gave true.
+bool beginBox(const char* title, const char* fact) {
+  look().map.fact("dialog", fact);
+  if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+  const ImVec2 size = ImGui::GetIO().DisplaySize;
+  ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({scaled(360), 0}, {size.x * 0.8f, size.y * 0.8f});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(16), scaled(14)));
+  const bool shown = ImGui::BeginPopupModal(
+      title, nullptr, ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::PopStyleVar();
+  return shown;
+}
+
+/// A row of buttons; the index of the chosen one, -1: none yet. Enter takes the first, Esc the last.
+int buttonRow(std::initializer_list<const char*> labels) {
+  int chosen = -1, index = 0;
+  ImGui::Spacing();
+  for (const char* label : labels) {
+    if (index > 0) ImGui::SameLine();
+    const bool first = index == 0;
+    if (first) ImGui::PushStyleColor(ImGuiCol_Button, look().palette.accentDim);
+    if (ImGui::Button(label, {std::max(scaled(96), ImGui::CalcTextSize(label).x + scaled(24)), 0})) chosen = index;
+    if (first) ImGui::PopStyleColor();
+    markItem(std::string("dialog/") + label);
+    ++index;
+  }
+  if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) chosen = 0;
+  if (pressed(ImGuiKey_Escape)) chosen = index - 1;
+  if (chosen >= 0) ImGui::CloseCurrentPopup();
+  return chosen;
+}
+
+void wrapped(const std::string& text) {
+  ImGui::PushTextWrapPos(scaled(560));
+  ImGui::TextUnformatted(text.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+bool Dialogs::open() const {
+  return !m_errors.empty() || !m_rescues.empty() || m_browser.isOpen() || m_workspace.flow.prompt() != Prompt::None;
+}
+
+void Dialogs::drawError() {
+  if (!beginBox("Windloom##error", "error")) return;
+  look().map.fact("dialog.text", m_errors.front());
+  ImGui::TextColored(look().palette.error, "%s", icons::icon(icons::kError, "!"));
+  ImGui::SameLine();
+  ImGui::BeginGroup();
+  wrapped(m_errors.front());
+  ImGui::EndGroup();
+  ImGui::Spacing();
+  const int chosen = buttonRow({"OK"});
+  ImGui::SameLine();
+  if (ImGui::Button("Copy text")) ImGui::SetClipboardText(m_errors.front().c_str());
+  if (chosen >= 0) m_errors.pop_front();
+  ImGui::EndPopup();
+}
+
+void Dialogs::drawSaveChanges() {
+  if (!beginBox("Save changes?", "save changes")) return;
+  const std::string path = m_workspace.document.path().filename().string();
+  wrapped("Save the changes to " + (path.empty() ? m_workspace.document.committed().name : path) + "?");
+  switch (buttonRow({"Save", "Don't save", "Cancel"})) {
+    case 0: m_workspace.flow.answerSaveChanges(SaveAnswer::Save); break;
+    case 1: m_workspace.flow.answerSaveChanges(SaveAnswer::DontSave); break;
+    case 2: m_workspace.flow.answerSaveChanges(SaveAnswer::Cancel); break;
+    default: break;
+  }
+  ImGui::EndPopup();
+}
+
+void Dialogs::drawOverwrite() {
+  if (!beginBox("Replace the file?", "overwrite")) return;
+  wrapped(m_workspace.flow.pendingPath().string() + " exists already.");
+  const int chosen = buttonRow({"Replace", "Another name"});
+  if (chosen >= 0) m_workspace.flow.answerOverwrite(chosen == 0);
+  ImGui::EndPopup();
+}
+
+void Dialogs::drawRescue() {
+  const Rescue& rescue = m_rescues.front();
+  if (!beginBox("Unsaved work was found", "rescue")) return;
+  wrapped("The editor ended without closing " +
+          (rescue.original.empty() ? std::string("a project that was never saved") : rescue.original.string()) +
+          ". Its work as of " + rescue.savedAt + " is still there.");
+  if (m_showChanges)
+    for (const std::string& line : m_rescueChanges) ImGui::BulletText("%s", line.c_str());
+  bool handled = false;
+  switch (buttonRow({"Restore", "Discard", m_showChanges ? "Later" : "Show what changed"})) {
+    case 0:
+      if (const Status status = restoreRescue(m_workspace.document, rescue); !status) showError(status.error().text());
+      handled = true;
+      break;
+    case 1:
+      discardRescue(rescue);
+      handled = true;
+      break;
+    case 2:
+      if (m_showChanges) {
+        m_rescues.clear();
+      } else {
+        m_rescueChanges = describeRescue(rescue);
+        m_showChanges = true;
+      }
+      break;
+    default: break;
+  }
+  if (handled) {
+    m_rescues.erase(m_rescues.begin());
+    m_showChanges = false;
+  }
+  ImGui::EndPopup();
+}
+
+std::filesystem::path Dialogs::startFolder() const {
+  if (!m_workspace.document.path().empty()) return m_workspace.document.path().parent_path() / "";
+  const auto& recent = m_workspace.preferences.recentFiles;
+  if (!recent.empty()) return std::filesystem::path(recent.front()).parent_path() / "";
+  std::error_code ignored;
+  return std::filesystem::current_path(ignored) / "";
+}
+
+void Dialogs::followFileChoice() {
+  const Prompt prompt = m_workspace.flow.prompt();
+  const bool wanted = prompt == Prompt::ChooseOpenPath || prompt == Prompt::ChooseSavePath;
+  if (!wanted) return m_browser.close();
+  look().map.fact("dialog", prompt == Prompt::ChooseOpenPath ? "open" : "save as");
+  if (!m_browser.isOpen()) {
+    const bool opening = prompt == Prompt::ChooseOpenPath;
+    std::string name;
+    if (!opening)
+      name = m_workspace.document.path().empty() ? m_workspace.document.committed().name + ".wind.json"
+                                                 : m_workspace.document.path().filename().string();
+    m_browser.open(opening ? FileBrowser::Purpose::Open : FileBrowser::Purpose::Save,
+                   opening ? "Open a project" : "Save the project as", startFolder() / name, ".wind.json");
+  }
+  const auto path = m_browser.draw();
+  if (path)
+    m_workspace.flow.answerPath(*path);
+  else if (!m_browser.isOpen())
+    m_workspace.flow.cancel();
+}
+
+void Dialogs::draw() {
+  // One at a time: an error is read first, since it may be why a question came back.
+  if (!m_errors.empty()) return drawError();
+  if (!m_rescues.empty()) return drawRescue();
+  switch (m_workspace.flow.prompt()) {
+    case Prompt::SaveChanges: return drawSaveChanges();
+    case Prompt::ConfirmOverwrite: return drawOverwrite();
+    case Prompt::ChooseOpenPath:
+    case Prompt::ChooseSavePath:
+    case Prompt::None: break;
+  }
+  followFileChoice();
+}
+
+}  // namespace windloom::editor

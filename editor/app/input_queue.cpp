@@ -1,0 +1,112 @@
+#include "editor/app/input_queue.hpp"
+
+#include <GLFW/glfw3.h>
+#include <imgui.h>
+#include <backends/imgui_impl_glfw.h>
+
+#include <algorithm>
+
+namespace windloom::editor {
+
+namespace {
+
+/// Keys that edit text: they must not overtake the characters around them.
+bool editsText(int key) {
+  switch (key) {
+    case GLFW_KEY_ENTER:
+    case GLFW_KEY_KP_ENTER:
+    case GLFW_KEY_TAB:
+    case GLFW_KEY_ESCAPE:
+    case GLFW_KEY_BACKSPACE:
+    case GLFW_KEY_DELETE:
+    case GLFW_KEY_LEFT:
+    case GLFW_KEY_RIGHT:
+    case GLFW_KEY_UP:
+    case GLFW_KEY_DOWN:
+    case GLFW_KEY_HOME:
+    case GLFW_KEY_END: return true;
+    default: return false;
+  }
+}
+
+/// What a frame already holds.
+struct FrameContents {
+  bool button = false, wheel = false, text = false, editKey = false, shortcut = false, focus = false;
+  unsigned buttons = 0;
+  std::vector<int> keys;
+
+  [[nodiscard]] bool takes(const InputEvent& event) const {
+    if (focus) return false;
+    switch (event.kind) {
+      case InputEvent::Kind::MouseMove: return !button && !wheel && !text && keys.empty();
+      case InputEvent::Kind::MouseButton: return !wheel && !text && keys.empty() && (buttons >> event.code & 1u) == 0;
+      case InputEvent::Kind::Wheel: return !button;
+      case InputEvent::Kind::Text: return !button && !editKey;
+      case InputEvent::Kind::Key:
+        if (button || std::find(keys.begin(), keys.end(), event.code) != keys.end()) return false;
+        return !(editsText(event.code) && text) && !shortcut;
+      case InputEvent::Kind::Focus: return true;
+    }
+    return true;
+  }
+
+  void add(const InputEvent& event) {
+    switch (event.kind) {
+      case InputEvent::Kind::MouseMove: break;
+      case InputEvent::Kind::MouseButton:
+        button = true;
+        buttons |= 1u << event.code;
+        break;
+      case InputEvent::Kind::Wheel: wheel = true; break;
+      case InputEvent::Kind::Text: text = true; break;
+      case InputEvent::Kind::Key:
+        keys.push_back(event.code);
+        editKey = editKey || editsText(event.code);
+        // Modifiers are read as a state: a shortcut must not meet the release of its Ctrl in the same frame.
+        shortcut = shortcut || (event.action != GLFW_RELEASE && event.modifiers != 0);
+        break;
+      case InputEvent::Kind::Focus: focus = true; break;
+    }
+  }
+};
+
+}  // namespace
+
+std::vector<InputEvent> InputQueue::takeFrame(bool holdKeys) {
+  std::vector<InputEvent> frame;
+  FrameContents contents;
+  while (!m_waiting.empty() && contents.takes(m_waiting.front())) {
+    const InputEvent::Kind kind = m_waiting.front().kind;
+    if (holdKeys && (kind == InputEvent::Kind::Key || kind == InputEvent::Kind::Text)) break;
+    contents.add(m_waiting.front());
+    frame.push_back(m_waiting.front());
+    m_waiting.pop_front();
+  }
+  return frame;
+}
+
+void InputFeeder::before(GLFWwindow* window, const std::vector<InputEvent>& events) {
+  for (const InputEvent& event : events) switch (event.kind) {
+      case InputEvent::Kind::MouseMove:
+        m_x = event.x;
+        m_y = event.y;
+        break;
+      case InputEvent::Kind::MouseButton:
+        if (event.code < int(m_down.size())) m_down[std::size_t(event.code)] = event.action != GLFW_RELEASE;
+        break;
+      case InputEvent::Kind::Wheel: ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y); break;
+      case InputEvent::Kind::Key:
+        ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.action, event.modifiers);
+        break;
+      case InputEvent::Kind::Text: ImGui_ImplGlfw_CharCallback(window, unsigned(event.code)); break;
+      case InputEvent::Kind::Focus: ImGui_ImplGlfw_WindowFocusCallback(window, event.action); break;
+    }
+}
+
+void InputFeeder::after() const {
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = ImVec2(float(m_x), float(m_y));
+  for (std::size_t i = 0; i < m_down.size(); ++i) io.MouseDown[i] = m_down[i];
+}
+
+}  // namespace windloom::editor

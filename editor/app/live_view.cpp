@@ -1,0 +1,77 @@
+#include "editor/app/live_view.hpp"
+
+#include "engine/core/log.hpp"
+
+namespace windloom::editor {
+
+Result<std::unique_ptr<LiveView>> LiveView::create() {
+  std::unique_ptr<LiveView> view(new LiveView());
+  auto context = gpu::adoptCurrentContext();
+  if (!context) return context.error();
+  view->m_context = std::move(context).value();
+  auto shaders = gpu::ShaderLibrary::create();
+  if (!shaders) return shaders.error();
+  view->m_shaders = std::move(shaders).value();
+  return view;
+}
+
+void LiveView::follow(const Document& document) {
+  if (document.revision() == m_revision || m_broken) return;
+  m_revision = document.revision();
+  if (m_session) {
+    if (const Status status = m_session->setProject(document.project()); !status) logError(status.error().text());
+    return;
+  }
+  SessionOptions options;
+  options.context = m_context.get();
+  options.shaders = m_shaders.get();
+  options.liveGrid = m_liveGrid;
+  auto session = Session::create(document.project(), options);
+  if (!session) {
+    // Not tried again with each edit: only new shaders or another driver could help.
+    m_broken = true;
+    logError("There is no live view: " + session.error().text());
+    return;
+  }
+  m_session = std::move(session).value();
+  m_session->play();
+}
+
+void LiveView::restart() {
+  if (m_session) m_session->restart();
+}
+
+void LiveView::advance(double seconds) {
+  if (m_session) m_session->advance(seconds);
+}
+
+void LiveView::reloadShaders() {
+  const gpu::ShaderLibrary::Reload reload = m_shaders->reloadChanged();
+  for (const Problem& problem : reload.problems) logError(problem.text());
+  if (reload.problems.empty()) logInfo("Shaders: " + std::to_string(reload.replaced) + " programs replaced");
+  m_broken = false;
+  m_revision = 0;
+}
+
+void LiveView::setLiveGrid(LiveGrid choice) {
+  m_liveGrid = choice;
+  if (!m_session) return;
+  if (const Status status = m_session->setLiveGrid(choice); !status) logError(status.error().text());
+}
+
+void LiveView::frameDone(double wallSeconds, bool drawn) {
+  m_frameSeconds += (wallSeconds - m_frameSeconds) * (m_frameSeconds == 0 ? 1.0 : 0.08);
+  if (drawn) m_quality.frameDone(wallSeconds * 1000);
+}
+
+FrameFacts LiveView::facts() const {
+  FrameFacts facts;
+  facts.gpu = m_context->info().renderer;
+  facts.frameMs = m_frameSeconds * 1000;
+  facts.framesPerSecond = m_frameSeconds > 0 ? 1 / m_frameSeconds : 0;
+  facts.quality = m_quality.detail();
+  facts.fullQuality = m_fullQuality;
+  return facts;
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,55 @@
+#pragma once
+// The session that shows the open document, the OpenGL behind it, and how its frames go.
+
+#include <cstdint>
+#include <memory>
+
+#include "editor/core/document.hpp"
+#include "editor/panels/panel_context.hpp"
+#include "engine/gpu/context.hpp"
+#include "engine/gpu/shader_library.hpp"
+#include "engine/session/quality_control.hpp"
+#include "engine/session/session.hpp"
+
+namespace windloom::editor {
+
+class LiveView {
+ public:
+  /// Takes over the context that is current. Fails with Machine where it is too old or there are no shaders.
+  static Result<std::unique_ptr<LiveView>> create();
+
+  /// Shows what the document now has. Failures go to the log, once; the last good project stays shown.
+  void follow(const Document& document);
+  /// Another project was opened: its wind starts at 0.
+  void restart();
+  /// Runs the wind for `seconds` of real time.
+  void advance(double seconds);
+  /// Builds changed shaders again; problems go to the log and the old ones stay.
+  void reloadShaders();
+
+  /// Null where the session can't be made; the editor works on without its picture.
+  [[nodiscard]] Session* session() { return m_session.get(); }
+  /// How much of the grass to draw.
+  [[nodiscard]] float detail() const { return m_fullQuality ? 1.0f : m_quality.detail(); }
+  [[nodiscard]] bool fullQuality() const { return m_fullQuality; }
+  void setFullQuality(bool on) { m_fullQuality = on; }
+  void setLiveGrid(LiveGrid choice);
+  [[nodiscard]] LiveGrid liveGrid() const { return m_liveGrid; }
+
+  /// A frame ended after `wallSeconds`; with `drawn` the scene was drawn in it.
+  void frameDone(double wallSeconds, bool drawn);
+  [[nodiscard]] FrameFacts facts() const;
+
+ private:
+  LiveView() = default;
+  std::unique_ptr<gpu::Context> m_context;
+  std::unique_ptr<gpu::ShaderLibrary> m_shaders;
+  std::unique_ptr<Session> m_session;
+  QualityControl m_quality;
+  bool m_fullQuality = false, m_broken = false;
+  LiveGrid m_liveGrid = LiveGrid::Automatic;
+  std::uint64_t m_revision = 0;
+  double m_frameSeconds = 0;  // smoothed
+};
+
+}  // namespace windloom::editor

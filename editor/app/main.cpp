@@ -1,0 +1,15 @@
+#include "editor/app/app.hpp"
+#include "engine/core/log.hpp"
+
+int main(int argc, char** argv) {
+  using namespace windloom;
+  int exitStatus = 0;
+  const auto line = editor::parseCommandLine(argc, argv, exitStatus);
+  if (!line) return exitStatus;
+  auto app = editor::App::create(*line);
+  if (!app) {
+    logError(app.error().text());
+    return app.error().kind == ErrorKind::Machine ? 3 : 1;
+  }
+  return (*app)->run();
+}

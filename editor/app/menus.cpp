@@ -1,0 +1,132 @@
+#include "editor/app/menus.hpp"
+
+#include <filesystem>
+#include <string>
+
+#include "editor/widgets/icons.hpp"
+#include "engine/core/file.hpp"
+#include "engine/model/templates.hpp"
+
+namespace windloom::editor {
+
+namespace {
+
+constexpr const char* kMenus[] = {"File", "Edit", "Select", "Graph", "Tools", "View", "Play", "Help"};
+
+void actionItem(ActionTable& actions, const Action& action) {
+  const std::string label = actions.label(action.id), shortcut = actions.shortcutText(action.id);
+  if (ImGui::MenuItem(label.c_str(), shortcut.c_str(), actions.checked(action.id), actions.enabled(action.id)))
+    actions.run(action.id);
+  markItem("menu/" + action.id);
+  if (!action.help.empty() && ImGui::IsItemHovered()) ImGui::SetTooltip("%s", action.help.c_str());
+}
+
+void templatesMenu(Workspace& workspace) {
+  if (!ImGui::BeginMenu("New from template")) return;
+  for (const ProjectTemplate& entry : projectTemplates()) {
+    if (ImGui::MenuItem(std::string(entry.title).c_str())) workspace.flow.requestNew(entry.make());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(entry.summary).c_str());
+  }
+  ImGui::EndMenu();
+}
+
+void recentMenu(Workspace& workspace) {
+  const auto recent = workspace.preferences.recentFiles;
+  if (!ImGui::BeginMenu("Open recent", !recent.empty())) return;
+  for (const std::string& file : recent)
+    if (ImGui::MenuItem(file.c_str())) workspace.flow.requestOpen(std::filesystem::path(file));
+  ImGui::EndMenu();
+}
+
+void samplesMenu(Workspace& workspace) {
+  if (!ImGui::BeginMenu("Samples")) return;
+  const auto folder = findDataFolder("projects");
+  std::error_code failed;
+  if (folder)
+    for (const auto& entry : std::filesystem::directory_iterator(*folder, failed)) {
+      const std::string name = entry.path().filename().string();
+      const auto file = entry.path() / (name + ".wind.json");
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(file, ignored) && ImGui::MenuItem(name.c_str())) workspace.flow.requestOpen(file);
+    }
+  else
+    ImGui::TextDisabled("The samples folder was not found.");
+  ImGui::EndMenu();
+}
+
+struct ToolButton {
+  const char *action, *symbol, *text;
+};
+
+constexpr ToolButton kTools[] = {
+    {"tool.select", icons::kSelect, "Select"}, {"tool.move", icons::kMove, "Move"},
+    {"tool.rotate", icons::kRotate, "Rotate"}, {"tool.scale", icons::kScale, "Scale"},
+    {"tool.draw", icons::kDraw, "Draw"},       {"tool.obstacle", icons::kObstacle, "Obstacle"},
+    {"tool.probe", icons::kProbe, "Probe"},    {"tool.delete", icons::kEraser, "Delete"},
+};
+constexpr ToolButton kEdits[] = {{"edit.undo", icons::kUndo, "Undo"}, {"edit.redo", icons::kRedo, "Redo"}};
+constexpr ToolButton kOverlays[] = {{"overlay.arrows", icons::kArrow, "Arrows"},
+                                    {"overlay.vectors", icons::kVectors, "Vectors"},
+                                    {"overlay.speed", icons::kSpeed, "Speed"}};
+
+void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
+  const bool on = actions.checked(button.action);
+  if (on) {
+    ImGui::PushStyleColor(ImGuiCol_Button, look().palette.accentDim);
+    ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look().palette.accentDim);
+  }
+  std::string label = icons::icon(button.symbol, button.text);
+  if (withText && look().hasIcons) label += std::string("  ") + button.text;
+  ImGui::BeginDisabled(!actions.enabled(button.action));
+  const bool pressed = ImGui::Button(label.c_str(), {withText || !look().hasIcons ? 0 : scaled(32), 0});
+  ImGui::EndDisabled();
+  if (on) ImGui::PopStyleColor(2);
+  markItem(std::string("toolbar/") + button.action);
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", actions.tooltip(button.action).c_str());
+  ImGui::SameLine(0, scaled(3));
+  if (pressed) actions.run(button.action);
+}
+
+void gap() {
+  ImGui::Dummy({scaled(10), 1});
+  ImGui::SameLine(0, 0);
+}
+
+}  // namespace
+
+void drawMenuBar(Workspace& workspace) {
+  if (!ImGui::BeginMenuBar()) return;
+  ActionTable& actions = workspace.actions;
+  for (const char* menu : kMenus) {
+    const bool open = ImGui::BeginMenu(menu);
+    markItem(std::string("menu/") + menu);
+    if (!open) continue;
+    for (const Action& action : actions.all()) {
+      if (action.category != menu) continue;
+      actionItem(actions, action);
+      if (action.id == "file.new") templatesMenu(workspace);
+      if (action.id == "file.open") {
+        recentMenu(workspace);
+        samplesMenu(workspace);
+        ImGui::Separator();
+      }
+    }
+    ImGui::EndMenu();
+  }
+  ImGui::EndMenuBar();
+}
+
+void drawToolbar(Workspace& workspace) {
+  ActionTable& actions = workspace.actions;
+  for (const ToolButton& button : kTools) toolButton(actions, button, false);
+  gap();
+  for (const ToolButton& button : kEdits) toolButton(actions, button, false);
+  gap();
+  const bool playing = actions.checked("play.toggle");
+  toolButton(actions, {"play.toggle", playing ? icons::kPause : icons::kPlay, playing ? "Pause" : "Play"}, false);
+  gap();
+  const bool roomy = ImGui::GetContentRegionAvail().x > scaled(320);
+  for (const ToolButton& button : kOverlays) toolButton(actions, button, roomy);
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,136 @@
+#include "editor/panels/inspector_panel.hpp"
+
+#include <iterator>
+#include <optional>
+
+#include "editor/core/inspector.hpp"
+#include "editor/core/object_kind.hpp"
+#include "editor/widgets/look.hpp"
+#include "editor/widgets/parameter_row.hpp"
+
+namespace windloom::editor {
+
+namespace {
+
+const char* kindName(InspectorKind kind) {
+  switch (kind) {
+    case InspectorKind::Field: return "field";
+    case InspectorKind::Solver: return "solver";
+    case InspectorKind::Ambient: return "ambient";
+    case InspectorKind::Terrain: return "terrain";
+    case InspectorKind::Grass: return "grass";
+    case InspectorKind::Point: return "point";
+    case InspectorKind::Arrow: return "arrow";
+    case InspectorKind::Signal: return "signal";
+    case InspectorKind::Obstacle: return "obstacle";
+    case InspectorKind::Probe: return "probe";
+    case InspectorKind::Camera: return "camera";
+  }
+  return "";
+}
+
+void apply(PanelContext& context, const InspectorSection& section, const InspectorRow& row, const RowChange& change) {
+  Workspace& workspace = context.workspace;
+  const Project& project = workspace.document.committed();
+  switch (change.kind) {
+    case RowChange::Kind::Value: workspace.apply(setParameter(project, section.target, row.info.key, change.value)); break;
+    case RowChange::Kind::Component:
+      workspace.apply(setComponent(project, section.target, row.info.key, change.component, change.number));
+      break;
+    case RowChange::Kind::Reset: workspace.apply(resetParameter(project, section.target, row.info.key)); break;
+    case RowChange::Kind::Problem: workspace.say(MessageKind::Error, change.problem); break;
+  }
+  if (change.finished) workspace.document.seal();
+}
+
+/// What an arrow's strength is measured in depends on its drive.
+std::string_view strengthUnit(const InspectorSection& section) {
+  for (const InspectorRow& row : section.rows)
+    if (row.info.key == "drive" && !row.mixed) return std::get<int>(row.value) == int(Drive::Speed) ? "m/s" : "m/s^2";
+  return "";
+}
+
+void drawSection(PanelContext& context, const InspectorSection& section) {
+  const std::string prefix = std::string("inspector/") + kindName(section.target.kind);
+  if (!beginRows(prefix.c_str())) return;
+  for (InspectorRow row : section.rows) {
+    if (row.info.key == "id") continue;  // the title says it
+    if (row.info.key == "strength") row.info.unit = strengthUnit(section);
+    if (const auto change = parameterRow(row, prefix)) apply(context, section, row, *change);
+  }
+  endRows();
+}
+
+void drawSelection(PanelContext& context) {
+  const auto ids = context.workspace.selection.ids();
+  if (ids.empty()) {
+    ImGui::Spacing();
+    ImGui::TextDisabled("Nothing is selected.");
+    ImGui::PushTextWrapPos(0);
+    ImGui::TextDisabled("Click an arrow, a point or an obstacle; Shift adds, Ctrl toggles, dragging on empty ground selects a box.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  for (const InspectorSection& section : inspectSelection(context.project(), ids)) {
+    ImGui::PushFont(look().strong);
+    const bool open = ImGui::CollapsingHeader(section.title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
+    ImGui::PopFont();
+    if (open) drawSection(context, section);
+  }
+}
+
+void drawSettings(PanelContext& context, InspectorKind kind) {
+  drawSection(context, inspect(context.project(), {kind, {}}));
+}
+
+struct Tab {
+  const char* label;
+  std::optional<InspectorKind> settings;  // none: Selection, Export
+};
+
+constexpr Tab kTabs[] = {{"Selection", {}},
+                         {"Field", InspectorKind::Field},
+                         {"Solver", InspectorKind::Solver},
+                         {"Ambient", InspectorKind::Ambient},
+                         {"Grass", InspectorKind::Grass},
+                         {"Terrain", InspectorKind::Terrain},
+                         {"Export", {}}};
+constexpr std::size_t kSelectionTab = 0, kExportTab = std::size(kTabs) - 1;
+
+/// Tabs that flow into a second row where the panel is narrow, so that none is ever out of sight.
+void drawTabs(std::size_t& current) {
+  const float right = ImGui::GetCursorPosX() + ImGui::GetContentRegionAvail().x;
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(scaled(6), scaled(3)));
+  for (std::size_t i = 0; i < std::size(kTabs); ++i) {
+    const float width = ImGui::CalcTextSize(kTabs[i].label).x + scaled(12);
+    if (i > 0) {
+      ImGui::SameLine(0, scaled(3));
+      if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
+    }
+    const bool on = i == current;
+    ImGui::PushStyleColor(ImGuiCol_Button, on ? look().palette.accentDim : ImVec4(0, 0, 0, 0));
+    if (ImGui::Button(kTabs[i].label)) current = i;
+    ImGui::PopStyleColor();
+    markItem(std::string("inspector/tab/") + kTabs[i].label);
+  }
+  ImGui::PopStyleVar();
+  ImGui::Separator();
+}
+
+}  // namespace
+
+void InspectorPanel::draw(PanelContext& context, ExportPanel& exporter) {
+  exporter.poll(context);
+  if (exporter.takeShow()) m_tab = kExportTab;
+  drawTabs(m_tab);
+  ImGui::BeginChild(kTabs[m_tab].label);
+  if (m_tab == kSelectionTab)
+    drawSelection(context);
+  else if (m_tab == kExportTab)
+    exporter.draw(context);
+  else
+    drawSettings(context, *kTabs[m_tab].settings);
+  ImGui::EndChild();
+}
+
+}  // namespace windloom::editor

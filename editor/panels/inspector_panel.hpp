@@ -1,0 +1,17 @@
+#pragma once
+// The right side: what is selected, and a tab for each part of the project's settings, and the export.
+
+#include "editor/panels/export_panel.hpp"
+#include "editor/panels/panel_context.hpp"
+
+namespace windloom::editor {
+
+class InspectorPanel {
+ public:
+  void draw(PanelContext& context, ExportPanel& exporter);
+
+ private:
+  std::size_t m_tab = 0;
+};
+
+}  // namespace windloom::editor

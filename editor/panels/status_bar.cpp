@@ -1,0 +1,110 @@
+#include "editor/panels/status_bar.hpp"
+
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "editor/widgets/icons.hpp"
+#include "engine/core/text.hpp"
+
+namespace windloom::editor {
+
+namespace {
+
+constexpr double kMessageSeconds = 8;
+
+std::string grouped(long long number) {
+  std::string text = std::to_string(number);
+  for (int i = int(text.size()) - 3; i > 0; i -= 3) text.insert(std::size_t(i), " ");
+  return text;
+}
+
+std::string millions(long long blades) {
+  if (blades < 100'000) return grouped(blades);
+  return fixed(double(blades) / 1e6, 2) + " M";
+}
+
+std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y); }
+
+struct Item {
+  std::string name, text, help;
+};
+
+std::vector<Item> machineItems(const PanelContext& context) {
+  std::vector<Item> items;
+  const FrameFacts& facts = context.facts;
+  if (context.session) {
+    const SessionStatus& status = context.session->status();
+    const bool coarse = status.liveResolution != status.projectResolution;
+    std::string grid = std::string(status.backend == Backend::Gpu ? "GPU " : "CPU ") + sizeText(status.liveResolution);
+    if (coarse) grid += " live (project " + sizeText(status.projectResolution) + ")";
+    items.push_back({"grid", grid,
+                     coarse ? "The live view runs on a coarser grid to hold real time; sample and bake use the project's."
+                            : "The wind runs on the project's grid."});
+    items.push_back({"solver", "solver " + fixed(status.stepMs, 1) + " ms",
+                     "Time of a solver step. Divergence left: " +
+                         fixed(status.wind.divergenceBefore > 0
+                                   ? status.wind.divergenceAfter / status.wind.divergenceBefore * 100
+                                   : 0.0,
+                               2) +
+                         "%, fastest air " + fixed(status.wind.maxSpeed, 1) + " m/s, " +
+                         fixed(status.wind.cfl, 1) + " cells a step"});
+    items.push_back({"frame", "frame " + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
+                     "Drawing on the GPU: " + fixed(status.frame.gpuMs, 1) + " ms"});
+    items.push_back({"blades", millions(status.frame.bladesDrawn) + " / " + millions(status.frame.bladesTotal) + " blades",
+                     "Grass blades drawn of those that the project asks for"});
+    items.push_back({"quality", facts.fullQuality ? "full quality" : "quality " + fixed(double(facts.quality) * 100, 0) + "%",
+                     "How much of the grass is drawn to keep the frame time; View > Full quality draws all of it"});
+  }
+  items.push_back({"gpu", facts.gpu, "The graphics driver"});
+  return items;
+}
+
+}  // namespace
+
+void StatusBar::draw(PanelContext& context) {
+  Workspace& workspace = context.workspace;
+  if (workspace.messageNumber() != m_messageNumber) {
+    m_messageNumber = workspace.messageNumber();
+    m_messageAt = ImGui::GetTime();
+  }
+  const Palette& palette = look().palette;
+  const bool fresh = ImGui::GetTime() - m_messageAt < kMessageSeconds && !workspace.message().text.empty();
+
+  // The machine's part is laid out from the right; whole items are left out where the window is narrow.
+  const float gap = scaled(14), full = ImGui::GetContentRegionAvail().x;
+  std::vector<Item> items = machineItems(context);
+  const auto widthOf = [&] {
+    float width = 0;
+    for (const Item& item : items) width += ImGui::CalcTextSize(item.text.c_str()).x + gap;
+    return width;
+  };
+  while (items.size() > 1 && widthOf() > full * 0.72f) items.pop_back();
+  const float left = full - widthOf() - gap;
+
+  ImGui::PushClipRect(ImGui::GetCursorScreenPos(),
+                      {ImGui::GetCursorScreenPos().x + left, ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()}, true);
+  if (fresh) {
+    const MessageKind kind = workspace.message().kind;
+    const ImVec4& colour = kind == MessageKind::Error ? palette.error : kind == MessageKind::Warning ? palette.warning : palette.text;
+    ImGui::TextColored(colour, "%s", workspace.message().text.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", workspace.message().text.c_str());
+  } else {
+    ImGui::TextDisabled("%s", workspace.tools.hint(workspace.context()).c_str());
+  }
+  ImGui::PopClipRect();
+  markItem("status/message");
+  look().map.fact("message", fresh ? workspace.message().text : "");
+
+  float x = left + gap;
+  for (const Item& item : items) {
+    ImGui::SameLine(x + gap);
+    ImGui::TextColored(palette.muted, "%s", item.text.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.help.c_str());
+    markItem("status/" + item.name);
+    look().map.fact("status." + item.name, item.text);
+    x += ImGui::CalcTextSize(item.text.c_str()).x + gap;
+  }
+}
+
+}  // namespace windloom::editor

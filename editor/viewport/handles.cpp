@@ -1,0 +1,246 @@
+#include "editor/viewport/handles.hpp"
+
+#include <cmath>
+#include <optional>
+#include <string>
+#include <unordered_map>
+#include <unordered_set>
+
+#include "editor/core/object_kind.hpp"
+#include "editor/widgets/look.hpp"
+
+namespace windloom::editor {
+
+namespace {
+
+constexpr float kPointRadius = 4.5f, kRootRadius = 6.0f;
+// Above so many, only handles near the eye of the user (selected, hovered) get their full form.
+constexpr std::size_t kManyPoints = 3000;
+
+/// Draws in ground coordinates.
+class GroundBrush {
+ public:
+  GroundBrush(const ViewArea& area, const Workspace& workspace)
+      : m_area(area), m_view(workspace.view()), m_ground(workspace.ground), m_list(*ImGui::GetWindowDrawList()) {}
+
+  [[nodiscard]] std::optional<ImVec2> screen(glm::vec3 world) const {
+    const auto pixel = m_view.toScreen(world);
+    if (!pixel) return std::nullopt;
+    return m_area.at(*pixel);
+  }
+  [[nodiscard]] std::optional<ImVec2> screen(glm::vec2 place) const { return screen(m_ground.lift(place)); }
+  [[nodiscard]] bool inside(ImVec2 p) const {
+    const float margin = scaled(20);
+    return p.x > m_area.min.x - margin && p.x < m_area.max.x + margin && p.y > m_area.min.y - margin &&
+           p.y < m_area.max.y + margin;
+  }
+
+  void line(glm::vec3 a, glm::vec3 b, ImU32 colour, float width) const {
+    const auto from = screen(a), to = screen(b);
+    if (from && to) m_list.AddLine(*from, *to, colour, width);
+  }
+
+  void ring(glm::vec3 centre, float radius, ImU32 colour, float width) const {
+    constexpr int kSegments = 40;
+    std::optional<ImVec2> last;
+    for (int i = 0; i <= kSegments; ++i) {
+      const float angle = 6.2831853f * float(i) / kSegments;
+      const glm::vec2 place{centre.x + radius * std::cos(angle), centre.z + radius * std::sin(angle)};
+      const auto at = screen(place);
+      if (at && last) m_list.AddLine(*last, *at, colour, width);
+      last = at;
+    }
+  }
+
+  /// A line with a head whose size is in pixels.
+  void arrow(glm::vec3 a, glm::vec3 b, ImU32 colour, float width) const {
+    const auto from = screen(a), to = screen(b);
+    if (!from || !to) return;
+    const float dx = to->x - from->x, dy = to->y - from->y, length = std::hypot(dx, dy);
+    if (length < 1.0f) return;
+    const float head = std::min(scaled(12), length * 0.6f);
+    const ImVec2 along{dx / length, dy / length}, side{-along.y, along.x};
+    const ImVec2 neck{to->x - along.x * head, to->y - along.y * head};
+    m_list.AddLine(*from, neck, colour, width);
+    m_list.AddTriangleFilled(*to, {neck.x + side.x * head * 0.45f, neck.y + side.y * head * 0.45f},
+                             {neck.x - side.x * head * 0.45f, neck.y - side.y * head * 0.45f}, colour);
+  }
+
+  void box(const Obstacle& o, ImU32 colour, float width) const {
+    const float angle = glm::radians(o.rotation);
+    const glm::vec2 u{std::cos(angle), std::sin(angle)}, v{-u.y, u.x};
+    const glm::vec2 half = o.size * 0.5f;
+    const glm::vec2 corners[] = {o.centre + u * half.x + v * half.y, o.centre - u * half.x + v * half.y,
+                                 o.centre - u * half.x - v * half.y, o.centre + u * half.x - v * half.y};
+    for (int i = 0; i < 4; ++i) line(m_ground.lift(corners[i]), m_ground.lift(corners[(i + 1) % 4]), colour, width);
+  }
+
+  ImDrawList& list() const { return m_list; }
+  const Ground& ground() const { return m_ground; }
+
+ private:
+  ViewArea m_area;
+  ViewMapping m_view;
+  const Ground& m_ground;
+  ImDrawList& m_list;
+};
+
+struct Marks {
+  std::unordered_set<Id> chosen;
+  Id hovered = 0;
+  [[nodiscard]] bool selected(Id id) const { return chosen.contains(id); }
+};
+
+void name(const GroundBrush& brush, const std::string& id, ImVec2 at) {
+  if (!look().map.on()) return;
+  const float half = scaled(5);
+  if (brush.inside(at)) look().map.rectangle(id, {at.x - half, at.y - half}, {at.x + half, at.y + half});
+}
+
+void handleDot(const GroundBrush& brush, ImVec2 at, float radius, bool selected, bool hovered) {
+  const Palette& palette = look().palette;
+  ImDrawList& list = brush.list();
+  if (selected) list.AddCircle(at, radius + scaled(4), packed(palette.accent), 0, scaled(2));
+  list.AddCircleFilled(at, radius + scaled(1.5f), IM_COL32(10, 12, 14, 190));
+  const ImVec4 white{1, 1, 1, 1};
+  list.AddCircleFilled(at, hovered ? radius + scaled(1) : radius, packed(hovered ? palette.accent : white));
+}
+
+void drawArrows(const GroundBrush& brush, const WindGraph& graph, const Marks& marks, bool withArrows) {
+  const Palette& palette = look().palette;
+  const bool mapped = look().map.on();
+  // Without a scene all arrows are drawn here; with one only the marked ones get a line on top.
+  if (!withArrows && !mapped && marks.chosen.empty() && marks.hovered == 0) return;
+  std::unordered_map<Id, glm::vec2> places;
+  for (const Point& point : graph.points) places.emplace(point.id, point.position);
+  for (const Arrow& arrow : graph.arrows) {
+    if (arrow.hidden) continue;
+    const bool selected = marks.selected(arrow.id), hovered = marks.hovered == arrow.id;
+    if (!withArrows && !mapped && !selected && !hovered) continue;
+    const auto from = places.find(arrow.from), to = places.find(arrow.to);
+    if (from == places.end() || to == places.end()) continue;
+    const glm::vec3 a = brush.ground().lift(from->second), b = brush.ground().lift(to->second);
+    if (const auto middle = brush.screen((from->second + to->second) * 0.5f))
+      name(brush, "arrow:" + std::to_string(arrow.id), *middle);
+    const ImVec4 plain{0.85f, 0.93f, 1.0f, 0.9f};
+    if (withArrows || selected || hovered)
+      brush.arrow(a, b, packed(selected ? palette.accent : plain, hovered || selected ? 1.0f : 0.75f),
+                  scaled(selected ? 3.0f : 2.0f));
+  }
+}
+
+void drawPoints(const GroundBrush& brush, const Project& project, const Marks& marks) {
+  const WindGraph& graph = *project.graph;
+  std::unordered_set<Id> ends, shown;
+  for (const Arrow& arrow : graph.arrows) {
+    ends.insert(arrow.to);
+    if (arrow.hidden) continue;
+    shown.insert(arrow.from);
+    shown.insert(arrow.to);
+  }
+  const bool many = graph.points.size() > kManyPoints;
+  for (const Point& point : graph.points) {
+    if (!shown.contains(point.id) && ends.contains(point.id)) continue;
+    const auto at = brush.screen(point.position);
+    if (!at || !brush.inside(*at)) continue;
+    const bool selected = marks.selected(point.id), hovered = marks.hovered == point.id;
+    const float radius = scaled(ends.contains(point.id) ? kPointRadius : kRootRadius);
+    if (many && !selected && !hovered)
+      brush.list().AddRectFilled({at->x - 2, at->y - 2}, {at->x + 2, at->y + 2}, IM_COL32_WHITE);
+    else
+      handleDot(brush, *at, radius, selected, hovered);
+    name(brush, "point:" + std::to_string(point.id), *at);
+    if (!point.name.empty() && (selected || hovered))
+      brush.list().AddText({at->x + radius + scaled(6), at->y - ImGui::GetTextLineHeight()},
+                           packed(look().palette.overlayText), point.name.c_str());
+  }
+}
+
+void drawObstacles(const GroundBrush& brush, const Project& project, const Marks& marks, bool withOutlines) {
+  const Palette& palette = look().palette;
+  for (const Obstacle& o : *project.obstacles) {
+    if (o.hidden) continue;
+    const bool selected = marks.selected(o.id), hovered = marks.hovered == o.id;
+    const auto at = brush.screen(o.centre);
+    if (at) name(brush, "obstacle:" + std::to_string(o.id), *at);
+    if (!withOutlines && !selected && !hovered) continue;
+    const ImVec4 plain{0.9f, 0.85f, 0.75f, 0.9f};
+    const ImU32 colour = packed(selected ? palette.accent : plain);
+    if (o.shape == ObstacleShape::Circle)
+      brush.ring(brush.ground().lift(o.centre), o.radius, colour, scaled(2));
+    else
+      brush.box(o, colour, scaled(2));
+  }
+}
+
+void drawProbes(const GroundBrush& brush, const Project& project, const Marks& marks) {
+  const Palette& palette = look().palette;
+  for (const Probe& probe : *project.probes) {
+    const auto at = probe.hidden ? std::nullopt : brush.screen(probe.position);
+    if (!at || !brush.inside(*at)) continue;
+    const bool marked = marks.selected(probe.id) || marks.hovered == probe.id;
+    const ImVec4 yellow{0.98f, 0.86f, 0.36f, 1.0f};
+    const ImU32 colour = packed(marked ? palette.accent : yellow);
+    const float arm = scaled(9), gap = scaled(3);
+    ImDrawList& list = brush.list();
+    list.AddCircle(*at, scaled(5.5f), colour, 0, scaled(2));
+    for (const ImVec2 way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
+      list.AddLine({at->x + way.x * gap, at->y + way.y * gap}, {at->x + way.x * arm, at->y + way.y * arm}, colour, scaled(2));
+    name(brush, "probe:" + std::to_string(probe.id), *at);
+  }
+}
+
+ImU32 roleColour(ShapeRole role) {
+  const Palette& palette = look().palette;
+  switch (role) {
+    case ShapeRole::Preview: return packed({1, 1, 1, 0.95f});
+    case ShapeRole::Snap: return packed(palette.good);
+    case ShapeRole::Refused: return packed(palette.error);
+    case ShapeRole::Guide: return packed({1, 1, 1, 0.5f});
+    case ShapeRole::AxisX: return packed(palette.axisX);
+    case ShapeRole::AxisZ: return packed(palette.axisZ);
+  }
+  return IM_COL32_WHITE;
+}
+
+}  // namespace
+
+void drawHandles(const ViewArea& area, const Workspace& workspace, bool withArrows) {
+  const GroundBrush brush(area, workspace);
+  const Project& project = workspace.document.project();
+  const auto ids = workspace.selection.ids();
+  const Marks marks{{ids.begin(), ids.end()}, workspace.tools.hovered()};
+  drawObstacles(brush, project, marks, withArrows);
+  drawArrows(brush, *project.graph, marks, withArrows);
+  drawPoints(brush, project, marks);
+  drawProbes(brush, project, marks);
+}
+
+void drawPreview(const ViewArea& area, const Workspace& workspace, const PreviewShapes& shapes) {
+  const GroundBrush brush(area, workspace);
+  ImDrawList& list = brush.list();
+  for (const auto& disc : shapes.discs) brush.ring(disc.centre, disc.radius, roleColour(disc.role), scaled(1.5f));
+  for (const auto& line : shapes.lines) brush.line(line.a, line.b, roleColour(line.role), scaled(1.5f));
+  for (const auto& arrow : shapes.arrows) {
+    brush.arrow(arrow.from, arrow.to, roleColour(arrow.role), scaled(3));
+    brush.ring(arrow.to, arrow.radius, packed({1, 1, 1, 0.35f}), scaled(1));
+  }
+  for (const auto& dot : shapes.dots)
+    if (const auto at = brush.screen(dot.at)) {
+      list.AddCircleFilled(*at, scaled(kPointRadius + 1), IM_COL32(10, 12, 14, 190));
+      list.AddCircleFilled(*at, scaled(kPointRadius), roleColour(dot.role));
+    }
+  for (const auto& box : shapes.rectangles) {
+    list.AddRectFilled(area.at(box.low), area.at(box.high), packed(look().palette.accent, 0.15f));
+    list.AddRect(area.at(box.low), area.at(box.high), packed(look().palette.accent), 0, 0, scaled(1));
+  }
+  for (const auto& label : shapes.labels) {
+    const ImVec2 at = area.at(label.pixel), size = ImGui::CalcTextSize(label.text.c_str());
+    const ImVec2 corner{at.x + scaled(16), at.y + scaled(14)};
+    list.AddRectFilled({corner.x - scaled(4), corner.y - scaled(2)}, {corner.x + size.x + scaled(4), corner.y + size.y + scaled(2)},
+                       packed(look().palette.overlayBack), scaled(3));
+    list.AddText(corner, packed(look().palette.overlayText), label.text.c_str());
+  }
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,160 @@
+"""A running windloom-editor under a private Xvfb, driven as a person would: real key and mouse events by xdotool, places
+of controls from the editor's --ui-map file, and waiting on what the editor says instead of sleeping."""
+import contextlib
+import os
+import pathlib
+import subprocess
+import time
+
+PATIENCE_S = 30  # for one condition; a loaded machine with two cores needs a few seconds at most
+
+
+class Failure(Exception):
+    pass
+
+
+@contextlib.contextmanager
+def display(size="1280x800"):
+    """Xvfb on a display number of its own choosing; gives the environment to run in."""
+    read_end, write_end = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(write_end), "-screen", "0", f"{size}x24", "-nolisten", "tcp"],
+        pass_fds=[write_end], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    os.close(write_end)
+    try:
+        with os.fdopen(read_end) as pipe:
+            number = pipe.readline().strip()
+        if not number:
+            raise Failure("Xvfb did not start")
+        yield dict(os.environ, DISPLAY=f":{number}", WAYLAND_DISPLAY="", LIBGL_ALWAYS_SOFTWARE="1")
+    finally:
+        server.terminate()
+        server.wait()
+
+
+class Editor:
+    def __init__(self, program, environment, folder, arguments):
+        self.folder = pathlib.Path(folder)
+        self.map_file = self.folder / "ui-map.txt"
+        self.log_file = self.folder / "editor.log"
+        self.environment = dict(environment, HOME=str(self.folder), XDG_CONFIG_HOME=str(self.folder / "config"),
+                                XDG_STATE_HOME=str(self.folder / "state"))
+        with open(self.log_file, "wb") as log:
+            self.process = subprocess.Popen([program, "--size", "1280x800", "--ui-map", str(self.map_file), *arguments],
+                                            env=self.environment, stdout=log, stderr=log)
+        self.window = None
+        self.origin = (0, 0)
+        self.wait("the window", lambda: self.fact("title") != "")
+        self.find_window()
+
+    # What the editor says
+
+    def read_map(self):
+        facts, rectangles = {}, {}
+        try:
+            text = self.map_file.read_text()
+        except FileNotFoundError:
+            return facts, rectangles
+        for line in text.splitlines():
+            kind, name, value = line.split("\t", 2)
+            if kind == "fact":
+                facts[name] = value
+            else:
+                rectangles[name] = tuple(int(part) for part in value.split())
+        return facts, rectangles
+
+    def fact(self, name):
+        return self.read_map()[0].get(name, "")
+
+    def centre(self, name):
+        """Middle of a named rectangle in window pixels; waits until it is there."""
+        self.wait(f"'{name}' on the screen", lambda: name in self.read_map()[1])
+        x, y, width, height = self.read_map()[1][name]
+        return x + width / 2, y + height / 2
+
+    def rectangle(self, name):
+        self.wait(f"'{name}' on the screen", lambda: name in self.read_map()[1])
+        return self.read_map()[1][name]
+
+    def wait(self, what, condition, seconds=PATIENCE_S):
+        end = time.monotonic() + seconds
+        while True:
+            if condition():
+                return
+            if self.process.poll() is not None:
+                raise Failure(f"the editor ended with {self.process.returncode} while waiting for {what}:\n{self.log()}")
+            if time.monotonic() > end:
+                raise Failure(f"waited in vain for {what}; facts: {self.read_map()[0]}\n{self.log()}")
+            time.sleep(0.02)
+
+    def wait_fact(self, name, value):
+        self.wait(f"{name} = '{value}'", lambda: self.fact(name) == value)
+
+    def log(self):
+        return self.log_file.read_text(errors="replace")[-4000:]
+
+    # What the hands do
+
+    def xdotool(self, *arguments):
+        result = subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True)
+        if result.returncode != 0:
+            raise Failure(f"xdotool {arguments}: {result.stderr}")
+        return result.stdout
+
+    def find_window(self):
+        self.window = self.xdotool("search", "--sync", "--onlyvisible", "--pid", self.process.pid).split()[0]
+        self.xdotool("windowfocus", "--sync", self.window)
+        geometry = dict(line.split("=") for line in self.xdotool("getwindowgeometry", "--shell", self.window).split())
+        self.origin = (int(geometry["X"]), int(geometry["Y"]))
+
+    def move(self, place):
+        self.xdotool("mousemove", round(self.origin[0] + place[0]), round(self.origin[1] + place[1]))
+
+    def click(self, place, button=1):
+        self.move(place)
+        self.xdotool("click", button)
+
+    def press(self, name):
+        self.click(self.centre(name))
+
+    def drag(self, start, end, steps=6):
+        self.move(start)
+        self.xdotool("mousedown", 1)
+        for i in range(1, steps + 1):
+            part = i / steps
+            self.move((start[0] + (end[0] - start[0]) * part, start[1] + (end[1] - start[1]) * part))
+        self.xdotool("mouseup", 1)
+
+    def key(self, *keys):
+        self.xdotool("key", *keys)
+
+    def type(self, text):
+        self.xdotool("type", text)
+
+    def choose_path(self, path):
+        """Types a path into the open file dialog and accepts it."""
+        self.press("files/name")
+        self.wait_fact("typing", "yes")
+        self.key("ctrl+a")
+        self.type(str(path))
+        self.key("Return")
+
+    def wait_end(self):
+        try:
+            return self.process.wait(PATIENCE_S)
+        except subprocess.TimeoutExpired:
+            raise Failure("the editor did not end") from None
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+
+
+@contextlib.contextmanager
+def editor(program, environment, folder, *arguments):
+    running = Editor(program, environment, folder, arguments)
+    try:
+        yield running
+    finally:
+        running.kill()
