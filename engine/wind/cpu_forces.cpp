@@ -31,7 +31,7 @@ void addConfinement(const CpuFields& f, int k, const float* low, const float* hi
   const float h = std::sqrt(f.grid.hx * f.grid.hz);
   const float scale = f.dt * f.solver.confinement * h;
   const float halfX = 0.5f / f.grid.hx, halfZ = 0.5f / f.grid.hz;
-  const float tiny = 1e-5f / h, soft = 0.25f * WIND_CONFINEMENT_SOFTNESS / h;
+  const float tiny = 1e-5f / h, soft = 0.25f * WIND_CONFINEMENT_SOFTNESS * std::sqrt(2 * (halfX * halfX + halfZ * halfZ));
   const float *vx = f.speedX.row(k), *vz = f.speedZ.row(k);
   const float *vxLow = f.speedX.row(k - 1), *vzLow = f.speedZ.row(k - 1);
   const float *vxHigh = f.speedX.row(k + 1), *vzHigh = f.speedZ.row(k + 1);
