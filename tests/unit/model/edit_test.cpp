@@ -2,10 +2,43 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <limits>
+
 #include "engine/model/validate.hpp"
 #include "tests/unit/model/model_fixture.hpp"
 
 namespace windloom {
+namespace {
+
+Edit editOf(EditStep step) {
+  Edit edit;
+  edit.steps.push_back(std::move(step));
+  return edit;
+}
+
+/// The pointers of what went wrong.
+std::vector<std::string> refusals(const Project& project, const Edit& edit) {
+  const Result<Project> result = applyEdit(project, edit);
+  std::vector<std::string> pointers;
+  if (!result) {
+    for (const Problem& problem : result.error().problems) pointers.push_back(problem.pointer);
+  }
+  return pointers;
+}
+
+Project richProject() {
+  Project project = projectOf(line());
+  Obstacle rock;
+  rock.id = 30;
+  Probe probe;
+  probe.id = 40;
+  project.obstacles = std::make_shared<std::vector<Obstacle>>(1, rock);
+  project.probes = std::make_shared<std::vector<Probe>>(1, probe);
+  return project;
+}
+
+}  // namespace
 
 TEST(Edit, LeavesTheOldProjectAndOtherPartsAlone) {
   const Project before = projectOf(smallTree());
@@ -50,7 +83,7 @@ TEST(Edit, RefusesWhatWouldBreakTheProject) {
   const auto refused = [&](const EditStep& step) { return !applyEdit(before, Edit{"bad", {step}, ""}).ok(); };
   EXPECT_TRUE(refused(Put<Arrow>{arrowBetween(50, 1, 99)}));
   EXPECT_TRUE(refused(Put<Arrow>{arrowBetween(50, 1, 1)}));
-  EXPECT_TRUE(refused(Put<Point>{pointAt(2, {0, 0})}));  // on top of point 1: a zero-length arrow
+  EXPECT_TRUE(refused(Put<Point>{pointAt(2, {0, 0})}));   // on top of point 1: a zero-length arrow
   EXPECT_TRUE(refused(Put<Point>{pointAt(10, {5, 5})}));  // 10 is an arrow
   FieldSettings field;
   field.resolution = {0, 1000};
@@ -69,6 +102,98 @@ TEST(Edit, PutReplacesTheRecordWithTheSameId) {
   const Project after = applyEdit(before, Edit{"Strength", {Put<Arrow>{stronger}}, ""}).value();
   ASSERT_EQ(after.graph->arrows.size(), 3u);
   EXPECT_EQ(after.graph->arrows[1].strength, 20);
+}
+
+TEST(ApplyEdit, KeepsThePointersOfPartsThatItDoesNotTouch) {
+  const Project before = richProject();
+  const Result<Project> after = applyEdit(before, moveEdit(before, std::array<Id, 1>{30}, {1, 1}));
+  ASSERT_TRUE(after);
+  EXPECT_NE(after->obstacles, before.obstacles);
+  EXPECT_EQ(after->graph, before.graph);
+  EXPECT_EQ(after->probes, before.probes);
+  EXPECT_EQ(after->field, before.field);
+  EXPECT_EQ(after->grass, before.grass);
+  EXPECT_EQ(after->extra, before.extra);
+}
+
+TEST(ApplyEdit, AnEmptyEditGivesTheSameProject) {
+  const Project project = richProject();
+  EXPECT_TRUE(applyEdit(project, {})->sameAs(project));
+  EXPECT_TRUE(applyEdit(project, eraseEdit({999}))->sameAs(project));
+}
+
+TEST(ApplyEdit, StepsSeeWhatEarlierStepsDid) {
+  const Project before = projectOf(line());
+  Edit edit = eraseEdit({2});
+  edit.steps.emplace_back(Put<Point>{pointAt(2, {5, 5})});
+  edit.steps.emplace_back(Put<Arrow>{arrowBetween(50, 3, 2)});
+  const Result<Project> after = applyEdit(before, edit);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->graph->points.size(), 3u);
+  ASSERT_EQ(after->graph->arrows.size(), 1u);
+  EXPECT_EQ(after->graph->arrows[0].id, 50u);
+}
+
+TEST(ApplyEdit, SignalsArePutAndErasedByRoot) {
+  Signal signal;
+  signal.root = 1;
+  signal.kind = SignalKind::Pulse;
+  const Project once = *applyEdit(projectOf(line()), editOf(Put<Signal>{signal}));
+  signal.period = 9;
+  const Project twice = *applyEdit(once, editOf(Put<Signal>{signal}));
+  ASSERT_EQ(twice.graph->signals.size(), 1u);
+  EXPECT_EQ(twice.graph->signals[0].period, 9.0f);
+  EXPECT_TRUE(applyEdit(twice, editOf(EraseSignal{1}))->graph->signals.empty());
+}
+
+TEST(ApplyEdit, NamesWhatWouldNotBeValid) {
+  const Project project = richProject();
+  using Pointers = std::vector<std::string>;
+  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{arrowBetween(60, 1, 99)})), Pointers{"/graph/arrows/2/to"});
+  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{arrowBetween(60, 1, 2)})), Pointers{"/graph/arrows/2"});
+  EXPECT_EQ(refusals(project, editOf(Put<Point>{pointAt(30, {0, 9})})), Pointers{"/obstacles/0/id"});
+  EXPECT_EQ(refusals(project, moveEdit(project, std::array<Id, 1>{2}, {10, 0})), Pointers{"/graph/arrows/1"});
+  Arrow weak = project.graph->arrows[0];
+  weak.radius = -1;
+  weak.strength = std::numeric_limits<float>::quiet_NaN();
+  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{weak})),
+            (Pointers{"/graph/arrows/0/strength", "/graph/arrows/0/radius"}));
+  GrassSettings dense;
+  dense.density = 20000;
+  FieldSettings large;
+  large.size = {1000, 1000};
+  Edit both = editOf(Set<GrassSettings>{dense});
+  both.steps.emplace_back(Set<FieldSettings>{large});
+  EXPECT_EQ(refusals(project, both), Pointers{"/grass/density"});
+}
+
+TEST(MoveEdit, MovesPointsObstaclesAndProbesTogether) {
+  const Project before = richProject();
+  const Result<Project> after = applyEdit(before, moveEdit(before, std::array<Id, 5>{3, 30, 40, 11, 777}, {1, -2}));
+  ASSERT_TRUE(after);
+  EXPECT_EQ(after->graph->points[2].position, glm::vec2(21, -2));
+  EXPECT_EQ((*after->obstacles)[0].centre, glm::vec2(1, -2));
+  EXPECT_EQ((*after->probes)[0].position, glm::vec2(1, -2));
+}
+
+TEST(BranchEdit, AddsAPointAndAnArrowLikeTheModel) {
+  const Project before = richProject();
+  Arrow model = before.graph->arrows[0];
+  model.strength = 33;
+  model.name = "trunk";
+  model.muted = true;
+  const BranchResult branch = branchEdit(before, 2, {10, 10}, model);
+  const Result<Project> after = applyEdit(before, branch.edit);
+  ASSERT_TRUE(after);
+  EXPECT_EQ(branch.point, 41u);
+  const Arrow* added = findArrow(*after->graph, branch.arrow);
+  ASSERT_NE(added, nullptr);
+  EXPECT_EQ(added->from, 2u);
+  EXPECT_EQ(added->to, branch.point);
+  EXPECT_EQ(added->strength, 33.0f);
+  EXPECT_EQ(added->name, "");
+  EXPECT_FALSE(added->muted);
+  EXPECT_EQ(findPoint(*after->graph, branch.point)->position, glm::vec2(10, 10));
 }
 
 }  // namespace windloom

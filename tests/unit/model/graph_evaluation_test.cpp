@@ -102,4 +102,49 @@ TEST(GraphEvaluator, ForceCarriesPlaceDirectionAndFactor) {
   EXPECT_FLOAT_EQ(forces[2].factor, 1);
 }
 
+TEST(WindGraph, LeavesOutRingsThatAnotherRingLeadsTo) {
+  WindGraph graph;  // ring 5-6 leads to ring 1-2, whose ids are lower
+  graph.points = {pointAt(1, {0, 0}), pointAt(2, {10, 0}), pointAt(5, {0, 20}), pointAt(6, {10, 20})};
+  graph.arrows = {arrowBetween(11, 1, 2), arrowBetween(12, 2, 1), arrowBetween(13, 5, 6), arrowBetween(14, 6, 5),
+                  arrowBetween(15, 6, 2)};
+  EXPECT_EQ(findRoots(graph), std::vector<Id>{5});
+}
+
+TEST(GraphEvaluator, PointsWithoutArrowsAreNeverReached) {
+  WindGraph graph = line();
+  graph.points.push_back(pointAt(4, {90, 90}));
+  EXPECT_EQ(GraphEvaluator(graph).arrivals().back().time, std::numeric_limits<double>::infinity());
+}
+
+TEST(GraphEvaluator, ArrowsOfAGraphThatIsNotValidYetAreLeftOut) {
+  WindGraph graph = line();
+  graph.arrows.push_back(arrowBetween(13, 2, 77));
+  graph.arrows.push_back(arrowBetween(14, 2, 2));
+  EXPECT_EQ(GraphEvaluator(graph).forcesAt(100).size(), 2u);
+}
+
+TEST(GraphEvaluator, FactorScalesStrengthAndSwirl) {
+  WindGraph graph = line();
+  graph.arrows[0].strength = 8;
+  graph.arrows[0].swirl = -4;
+  Signal curve = quickConstant(1);
+  curve.kind = SignalKind::Curve;
+  curve.loop = false;
+  curve.keys = {{0, 0.5f}};
+  graph.signals = {curve};
+  const ArrowForce force = GraphEvaluator(graph).forcesAt(50).front();
+  EXPECT_EQ(force.factor, 0.5f);
+  EXPECT_EQ(force.strength, 4.0f);
+  EXPECT_EQ(force.swirl, -2.0f);
+}
+
+TEST(AmbientVelocity, DirectionTurnsFromXTowardsZ) {
+  AmbientWind ambient;
+  ambient.speed = 4;
+  ambient.direction = 90;
+  const glm::vec2 velocity = ambientVelocity(ambient);
+  EXPECT_NEAR(velocity.x, 0, 1e-6);
+  EXPECT_FLOAT_EQ(velocity.y, 4);
+}
+
 }  // namespace windloom

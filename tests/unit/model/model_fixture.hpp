@@ -33,6 +33,14 @@ inline Project projectOf(WindGraph graph) {
   return project;
 }
 
+/// 1 -> 2 -> 3 along +X, 10 m each.
+inline WindGraph line() {
+  WindGraph graph;
+  graph.points = {pointAt(1, {0, 0}), pointAt(2, {10, 0}), pointAt(3, {20, 0})};
+  graph.arrows = {arrowBetween(11, 1, 2), arrowBetween(12, 2, 3)};
+  return graph;
+}
+
 /// 1 -> 2 -> 3 along +X, 10 m each, and a branch 2 -> 4 of 20 m along +Z.
 inline WindGraph smallTree() {
   WindGraph graph;

@@ -19,6 +19,13 @@ float greatestStep(const Signal& signal, double until) {
   return greatest;
 }
 
+Signal signalOf(SignalKind kind) {
+  Signal signal;
+  signal.root = 1;
+  signal.kind = kind;
+  return signal;
+}
+
 }  // namespace
 
 TEST(Signal, NothingBlowsBeforeTheDelay) {
@@ -93,6 +100,59 @@ TEST(Signal, CurveGoesStraightBetweenKeysAndLoops) {
   EXPECT_NEAR(signalAt(curve, 4 + 2.25), 1.5f, 1e-5f);
   curve.loop = false;
   EXPECT_NEAR(signalAt(curve, 50), 0, 1e-5f);
+}
+
+TEST(Signal, ConstantStaysFullAfterTheAttack) {
+  Signal signal = signalOf(SignalKind::Constant);
+  signal.attack = 0.4f;
+  EXPECT_FLOAT_EQ(signalAt(signal, 0.2), 0.5f);
+  EXPECT_EQ(signalAt(signal, 0.5), 1.0f);
+  EXPECT_EQ(signalAt(signal, 1e6), 1.0f);
+}
+
+TEST(Signal, OverlappingPulsesAndLoopedCurvesAreContinuous) {
+  Signal shortPulse = signalOf(SignalKind::Pulse);  // released long before the attack is over
+  shortPulse.on = 0.3f;
+  shortPulse.attack = 1;
+  shortPulse.release = 2;
+  Signal overlapping = signalOf(SignalKind::Pulse);  // the next onset comes during the release
+  overlapping.period = 1;
+  overlapping.on = 0.6f;
+  overlapping.release = 3;
+  Signal longerThanPeriod = signalOf(SignalKind::Pulse);
+  longerThanPeriod.period = 1;
+  longerThanPeriod.on = 2.4f;
+  longerThanPeriod.attack = 2;
+  Signal curve = signalOf(SignalKind::Curve);
+  curve.period = 5;
+  curve.keys = {{1, 0.2f}, {2, 1.5f}, {3.5f, 0.8f}};
+  for (const Signal& signal : {shortPulse, overlapping, longerThanPeriod, curve, signalOf(SignalKind::Gusts)}) {
+    EXPECT_LT(greatestStep(signal, 20), 0.01f) << static_cast<int>(signal.kind);
+  }
+}
+
+TEST(Signal, AShortPulseFallsFromWhereItGotTo) {
+  Signal signal = signalOf(SignalKind::Pulse);
+  signal.attack = 1;
+  signal.on = 0.5f;  // level 0.5, which smoothing leaves at 0.5
+  signal.release = 2;
+  EXPECT_FLOAT_EQ(signalAt(signal, 0.5), 0.5f);
+  EXPECT_GT(signalAt(signal, 1.4), 0.0f);
+  EXPECT_EQ(signalAt(signal, 1.51), 0.0f);
+}
+
+TEST(Signal, ALoopedCurveJoinsItsLastKeyToItsFirst) {
+  Signal signal = signalOf(SignalKind::Curve);
+  signal.attack = 0.01f;
+  signal.period = 4;
+  signal.keys = {{1, 0}, {3, 2}};
+  EXPECT_FLOAT_EQ(signalAt(signal, 4), 1.0f);
+  EXPECT_FLOAT_EQ(signalAt(signal, 6), 1.0f);
+  EXPECT_FLOAT_EQ(signalAt(signal, 4 * 7 + 3), 2.0f);
+}
+
+TEST(Signal, ACurveWithoutKeysIsFull) {
+  EXPECT_EQ(signalAt(signalOf(SignalKind::Curve), 5), 1.0f);
 }
 
 }  // namespace windloom

@@ -10,7 +10,9 @@
 namespace windloom {
 namespace {
 
-std::vector<Problem> problemsOf(WindGraph graph) { return validate(projectOf(std::move(graph))); }
+std::vector<Problem> problemsOf(WindGraph graph) {
+  return validate(projectOf(std::move(graph)));
+}
 
 template <class Owner>
 void expectLegalDefaults() {
@@ -20,6 +22,30 @@ void expectLegalDefaults() {
     EXPECT_EQ(parameterProblem(parameter.info, parameter.get(owner)), "") << parameter.info.key;
     EXPECT_FALSE(parameter.info.help.empty()) << parameter.info.key;
   }
+}
+
+using Pointers = std::vector<std::string>;
+
+Pointers pointersOf(const Project& project) {
+  Pointers pointers;
+  for (const Problem& problem : validate(project)) {
+    EXPECT_FALSE(problem.message.empty()) << problem.pointer;
+    pointers.push_back(problem.pointer);
+  }
+  return pointers;
+}
+
+template <class Part>
+Shared<Part> changed(const Shared<Part>& part, auto&& change) {
+  auto copy = std::make_shared<Part>(*part);
+  change(*copy);
+  return copy;
+}
+
+Project withGraph(auto&& change) {
+  Project project = projectOf(line());
+  project.graph = changed(project.graph, change);
+  return project;
 }
 
 }  // namespace
@@ -110,6 +136,112 @@ TEST(Parameters, ProblemsNameWhatWasFoundAndExpected) {
     return;
   }
   FAIL() << "arrows have a radius";
+}
+
+TEST(Validate, AcceptsBranchesMergesRingsAndOppositeArrows) {
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) {
+              g.arrows.push_back(arrowBetween(13, 3, 1));
+              g.arrows.push_back(arrowBetween(14, 2, 1));
+              g.arrows.push_back(arrowBetween(15, 1, 3));
+            })),
+            Pointers{});
+}
+
+TEST(Validate, RefusesDanglingAndDegenerateArrows) {
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows[0].from = g.arrows[1].to = 77; })),
+            (Pointers{"/graph/arrows/0/from", "/graph/arrows/1/to"}));
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows[1].to = 2; })), Pointers{"/graph/arrows/1/to"});
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.points[2].position = g.points[1].position; })),
+            Pointers{"/graph/arrows/1"});
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows.push_back(arrowBetween(20, 1, 2)); })),
+            Pointers{"/graph/arrows/2"});
+}
+
+TEST(Validate, RefusesIdsThatAreZeroTooLargeOrUsedTwice) {
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows[0].id = 0; })), Pointers{"/graph/arrows/0/id"});
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows[0].id = 0xffffffffu; })), Pointers{"/graph/arrows/0/id"});
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows[1].id = 11; })), Pointers{"/graph/arrows/1/id"});
+  EXPECT_EQ(pointersOf(withGraph([](WindGraph& g) { g.arrows[1].id = 3; })), Pointers{"/graph/arrows/1/id"});
+}
+
+TEST(Validate, RefusesValuesOutOfRangeInEveryPart) {
+  Project project = projectOf(line());
+  project.name = "a\nb";
+  project.field = changed(project.field, [](FieldSettings& f) { f.resolution = {0, 1000000000}; });
+  project.solver = changed(project.solver, [](SolverSettings& s) { s.advection = static_cast<Advection>(7); });
+  project.ambient = changed(project.ambient, [](AmbientWind& a) { a.gustStrength = -1; });
+  project.graph =
+      changed(project.graph, [](WindGraph& g) { g.points[1].position.y = std::numeric_limits<float>::infinity(); });
+  project.terrain = changed(project.terrain, [](TerrainSettings& t) { t.colour.z = 2; });
+  project.grass =
+      changed(project.grass, [](GrassSettings& g) { g.shadowMin = std::numeric_limits<float>::quiet_NaN(); });
+  EXPECT_EQ(pointersOf(project), (Pointers{"/name", "/field/resolution", "/solver/advection", "/ambient/gusts/strength",
+                                           "/graph/points/1/position", "/terrain/colour", "/grass/shadow/min"}));
+}
+
+TEST(Validate, RefusesAPeriodicSideWithoutPartner) {
+  Project project;
+  project.field = changed(project.field, [](FieldSettings& f) { f.xMax = f.zMin = f.zMax = Border::Periodic; });
+  EXPECT_EQ(pointersOf(project), Pointers{"/field/borders/xMin"});
+}
+
+TEST(Validate, RefusesSignalsThatHaveNoPlace) {
+  Signal signal;
+  signal.root = 1;
+  EXPECT_EQ(pointersOf(withGraph([&](WindGraph& g) {
+              g.signals = {signal, signal};
+            })),
+            Pointers{"/graph/signals/1/root"});
+  signal.root = 99;
+  EXPECT_EQ(pointersOf(withGraph([&](WindGraph& g) { g.signals = {signal}; })), Pointers{"/graph/signals/0/root"});
+}
+
+TEST(Validate, RefusesCurvesThatCanNotBePlayed) {
+  Signal signal;
+  signal.root = 1;
+  signal.kind = SignalKind::Curve;
+  const auto problemsWith = [&](std::vector<SignalKey> keys) {
+    signal.keys = std::move(keys);
+    return pointersOf(withGraph([&](WindGraph& g) { g.signals = {signal}; }));
+  };
+  EXPECT_EQ(problemsWith({{0, 1}, {3, 0}, {6, 1}}), Pointers{});
+  EXPECT_EQ(problemsWith({{0, 1}, {2, 0}, {2, 1}}), Pointers{"/graph/signals/0/keys/2"});
+  EXPECT_EQ(problemsWith({{0, 1}, {2, 9}}), Pointers{"/graph/signals/0/keys/1"});
+  EXPECT_EQ(problemsWith({{0, 1}, {6.5f, 1}}), Pointers{"/graph/signals/0/keys/1"});
+  EXPECT_EQ(problemsWith({{0, 1}, {6, 0}}), Pointers{"/graph/signals/0/keys"});
+}
+
+TEST(Validate, RefusesACameraThatLooksAtItself) {
+  Project project;
+  Camera camera;
+  camera.id = 1;
+  camera.target = camera.position;
+  project.cameras = std::make_shared<std::vector<Camera>>(1, camera);
+  EXPECT_EQ(pointersOf(project), Pointers{"/cameras/0/target"});
+}
+
+TEST(Validate, RefusesMoreBladesThanThereMayBe) {
+  Project project;
+  project.field = changed(project.field, [](FieldSettings& f) { f.size = {5000, 5000}; });
+  EXPECT_EQ(pointersOf(project), Pointers{"/grass/density"});
+}
+
+TEST(Validate, RefusesMoreRecordsThanThereMayBe) {
+  Project project;
+  project.probes = std::make_shared<std::vector<Probe>>(kMaxProbes + 1);
+  EXPECT_EQ(pointersOf(project).front(), "/probes");
+}
+
+TEST(ValidateChange, ReadsWhatChangedAndWhatBindsItToTheRest) {
+  const Project valid = projectOf(line());
+  Project project = valid;
+  Obstacle rock;
+  rock.id = 12;
+  project.obstacles = std::make_shared<std::vector<Obstacle>>(1, rock);
+  const std::vector<Problem> problems = validateChange(project, valid);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].pointer, "/obstacles/0/id");
+  EXPECT_TRUE(validateChange(valid, valid).empty());
 }
 
 }  // namespace windloom
