@@ -153,18 +153,19 @@ EditorCamera lookAlong(EditorCamera camera, ViewDirection direction) {
 EditorCamera frameBounds(EditorCamera camera, glm::vec2 low, glm::vec2 high, glm::vec2 viewport) {
   const glm::vec2 centre = 0.5f * (low + high);
   camera.target = {centre.x, camera.target.y, centre.y};
-  // Extent of the four corners across the view; depth foreshortens, so that the plain extent is enough.
-  float halfWidth = 0.0f, halfTall = 0.0f;
+  constexpr float kMargin = 1.2f;
+  const float aspect = std::max(0.1f, viewport.x / std::max(1.0f, viewport.y));
+  const float tangent = std::tan(0.5f * glm::radians(camera.fieldOfView));
+  float distance = 1.0f / tangent;
   for (const glm::vec2 corner : {low, high, glm::vec2(low.x, high.y), glm::vec2(high.x, low.y)}) {
     const glm::vec3 offset(corner.x - centre.x, 0.0f, corner.y - centre.y);
-    halfWidth = std::max(halfWidth, std::abs(glm::dot(offset, camera.right())));
-    halfTall = std::max(halfTall, std::abs(glm::dot(offset, camera.up())));
-    if (!camera.orthographic) halfTall = std::max(halfTall, 0.5f * std::abs(glm::dot(offset, camera.forward())));
+    const float across = std::max(std::abs(glm::dot(offset, camera.right())) / aspect,
+                                  std::abs(glm::dot(offset, camera.up())));
+    // What lies nearer than the target looks larger in perspective.
+    const float nearer = camera.orthographic ? 0.0f : -glm::dot(offset, camera.forward());
+    distance = std::max(distance, kMargin * across / tangent + nearer);
   }
-  const float aspect = std::max(0.1f, viewport.x / std::max(1.0f, viewport.y));
-  const float half = 1.2f * std::max({halfTall, halfWidth / aspect, 1.0f});
-  camera.distance =
-      std::clamp(half / std::tan(0.5f * glm::radians(camera.fieldOfView)), kMinDistance, kMaxDistance);
+  camera.distance = std::clamp(distance, kMinDistance, kMaxDistance);
   return camera;
 }
 
