@@ -34,7 +34,7 @@ GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& gra
   const double area = static_cast<double>(field.size.x) * static_cast<double>(field.size.y);
   layout.bladesTotal = std::llround(static_cast<double>(grass.density) * area);
   if (grass.density <= 0.0f) return layout;
-  const glm::vec2 covered = field.size + 2.0f * 1.3f * kMeadowMarginM;
+  const glm::vec2 covered = field.size + 2.0f * kMeadowMarginM;
   const float wanted = std::clamp(std::sqrt(kBladesPerTile / grass.density), kMinTileM, kMaxTileM);
   layout.tileSideM = std::max(wanted, std::max(covered.x, covered.y) / static_cast<float>(kMaxTilesPerSide));
   layout.tiles = glm::max(glm::ivec2(glm::ceil(covered / layout.tileSideM)), glm::ivec2(1));

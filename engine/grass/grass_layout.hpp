@@ -25,7 +25,7 @@ struct GrassLayout {
 };
 
 /// Width of the margin around the field, m.
-inline constexpr float kMeadowMarginM = 6.0f;
+inline constexpr float kMeadowMarginM = 16.0f;
 
 /// `density` > 0 makes at least one tile; density 0 gives a layout without tiles.
 GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& grass);

@@ -26,9 +26,9 @@ glm::vec3 forwardOf(const glm::mat4& view) { return -glm::vec3(view[0][2], view[
 
 Light defaultLight() {
   return {.sunDirection = glm::normalize(glm::vec3(-0.62f, 0.40f, -0.68f)),
-          .sunColour = glm::vec3(1.0f, 0.80f, 0.55f) * 5.2f,
+          .sunColour = glm::vec3(1.0f, 0.79f, 0.54f) * 4.6f,
           .skyColour = glm::vec3(0.50f, 0.62f, 0.80f) * 1.25f,
-          .exposure = 0.85f,
+          .exposure = 0.78f,
           .haze = 0.0022f};
 }
 

@@ -10,6 +10,7 @@
 #include "engine/render/backdrop.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/noise_texture.hpp"
+#include "engine/render/overlay_pass.hpp"
 #include "engine/render/render_programs.hpp"
 #include "engine/render/scene_targets.hpp"
 #include "engine/render/solids.hpp"
@@ -25,6 +26,7 @@ struct Parts {
   InstancedGrass grass;
   Backdrop backdrop;
   SolidPass solids;
+  OverlayPass overlays;
   gpu::Texture noise;
   gpu::Buffer frame;
 };
@@ -36,11 +38,14 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!backdrop) return backdrop.error();
   Result<SolidPass> solids = SolidPass::create(shaders);
   if (!solids) return solids.error();
+  Result<OverlayPass> overlays = OverlayPass::create(shaders);
+  if (!overlays) return overlays.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass), std::move(*backdrop), std::move(*solids), std::move(*noise), std::move(*frame)};
+  return Parts{std::move(*grass), std::move(*backdrop), std::move(*solids), std::move(*overlays), std::move(*noise),
+               std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -82,6 +87,11 @@ class FrameRendererImpl final : public FrameRenderer {
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
     drawScene(input);
+    if (OverlayPass::wanted(input.overlays)) {
+      m_timer.stage("overlays");
+      m_targets.clearOverlay();
+      m_parts.overlays.draw(input, m_targets.overlay());
+    }
     m_timer.stage("tone map");
     drawPicture(input);
     m_timer.endFrame();
@@ -158,7 +168,7 @@ class FrameRendererImpl final : public FrameRenderer {
     const gpu::Program& program = m_targets.samples() > 1 ? *m_toneMapMultisampled : *m_toneMap;
     program.use();
     program.set("origin", input.origin);
-    program.set("withOverlay", 0);
+    program.set("withOverlay", OverlayPass::wanted(input.overlays) ? 1 : 0);
     m_targets.light().bind(RENDER_TEXTURE_SCENE);
     m_targets.overlayColour().bind(RENDER_TEXTURE_OVERLAY);
     m_noVertices.bind();

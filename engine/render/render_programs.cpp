@@ -11,6 +11,12 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"terrain/ground", {"terrain/ground.vert", "terrain/ground.frag"}},
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
+    {"field/speed map", {"field/speed_map.vert", "field/speed_map.frag"}},
+    {"field/vectors", {"field/vectors.vert", "field/vectors.frag"}},
+    {"field/arrow", {"field/arrow.vert", "field/arrow.frag"}},
+    {"field/area", {"field/area.vert", "field/area.frag"}},
+    {"field/point", {"field/point.vert", "field/point.frag"}},
+    {"field/outline", {"field/outline.vert", "field/outline.frag"}},
     {"post/tone map", {"include/fullscreen.vert", "post/tone_map.frag"}, "SAMPLES=1"},
     {"post/tone map multisampled", {"include/fullscreen.vert", "post/tone_map.frag"}, "SAMPLES=4"},
 };

@@ -69,17 +69,18 @@ void main() {
 
   vec2 shade = unpackHalf2x16(blade.shade);
   vec4 tint = unpackUnorm4x8(blade.tint);
-  float canopy = clamp(centre.y / grass.baseColour.w, 0.0, 1.0);
+  // How deep in the canopy: it bends down as a whole, so the place along the blade counts, not the height.
+  float canopy = clamp(s * sizes.x / (grass.baseColour.w * unpackUnorm4x8(blade.canopy).x * 2.0), 0.0, 1.0);
   GrassLight at;
   at.height = canopy;
   at.dense = grass.levels.z;
   at.sunlit = smoothstep(-0.15, 0.15, centre.y - shade.x);
   at.shade = heightWindShade(centre.y / sizes.x, shade.y) * mix(tint.a, 1.0, 0.5 * canopy);
-  vec3 albedo = bladeAlbedo(s, tint.r, 2.0 * tint.g, 2.0 * tint.b - 1.0);
+  vec3 albedo = laidAlbedo(bladeAlbedo(s, tint.r, 2.0 * tint.g, 2.0 * tint.b - 1.0), spine.tangent);
 #if SEGMENTS == 1
   vec3 light = lightCanopy(albedo, spine.tangent, v, at);
 #else
-  vec3 light = lightBlade(albedo, normalize(n + 0.55 * edge * side), v, at);
+  vec3 light = lightBlade(albedo, normalize(n + 0.55 * edge * side), spine.tangent, v, at);
   bladePlace = vec2(edge, s);
 #endif
   bladeColour = throughAir(light, world);

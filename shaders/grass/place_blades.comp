@@ -56,12 +56,10 @@ vec2 rootInTile(uint tile, uint index, uint seed) {
   return tileLow(tile) + fract(even + noise * 0.8 * inversesqrt(max(grass.tiles.w, 1.0))) * grass.tiles.z;
 }
 
-// In the margin around the field the meadow thins out.
-bool standsInMeadow(vec2 root, float chance) {
-  vec2 high = frame.field.xy + frame.field.zw;
-  vec2 beyond = max(max(frame.field.xy - root, root - high), vec2(0.0));
-  float away = length(beyond) / grass.tileOrigin.z;
-  return away <= 0.0 || chance > away + 0.6 * (noiseAtLevel(root, 9.0, 1.0).r - 0.5);
+// How far in the margin around the field, 0..1 and more; ragged.
+float inMargin(vec2 root) {
+  float beyond = beyondField(root);
+  return beyond <= 0.0 ? 0.0 : max(beyond / grass.tileOrigin.z + 0.7 * (noiseAtLevel(root, 19.0, 1.0).r - 0.5), 0.0);
 }
 
 bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint level) {
@@ -74,8 +72,8 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   float grown = smoothstep(0.0, 1.0, (kept - rank) / (0.25 * kept));
   if (grown <= 0.0) return false;
   if (!insideFrustum(vec3(root.x, 0.5 * grass.size.y, root.y), vec3(grass.size.y, 0.5 * grass.size.y, grass.size.y))) return false;
-  float chance = unit(state);
-  if (!standsInMeadow(root, chance)) return false;
+  float margin = inMargin(root);
+  if (unit(state) < margin * margin) return false;
   float solid = solidDistance(root);
   if (solid < 0.02) return false;
 
@@ -85,6 +83,9 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   float size = mix(unit(state), unit(clumpState), shareClump * 0.7);
   float height = grass.baseColour.w * (1.0 + grass.tipColour.w * (2.0 * size - 1.0)) * mix(0.55, 1.0, grown);
   height *= 0.6 + 0.4 * smoothstep(0.0, 0.5, solid);
+  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, margin));
+  canopy *= 1.0 + 0.5 * shareClump * (noiseAtLevel(root, 13.0, 1.0).g - 0.5);
+  height *= canopy;
   float widen = clamp(1.1 / max(kept, 1e-3), 1.0, grass.cover.y);
   float width = grass.size.x * widen * grown * (0.8 + 0.4 * unit(state));
 
@@ -97,7 +98,7 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   vec2 bend = felt * factor;
   if (grass.size.w == GRASS_DEFORMATION_ARC) {
     // The droop of eq. 11 as a rest bend: k2 moves the tip forward by k2 of the height.
-    vec2 rest = facing * min(grass.droop.y * 1.38 * (0.6 + 2.4 * unit(state) * unit(state)), kMaxRestBend);
+    vec2 rest = facing * min(grass.droop.y * 1.38 * (0.7 + 4.5 * unit(state) * unit(state)), kMaxRestBend);
     bend = arcSteadyBend(rest, felt, factor) + arcFlutter(felt, frame.viewForward.w, unit(state), 0.75 + 0.5 * unit(state), grass.motion.z);
   }
 
@@ -114,7 +115,7 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   blade.bend = packHalf2x16(bend);
   blade.shade = packHalf2x16(vec2(solidShadowHeight(root), shadeForce(length(felt))));
   blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright, 0.5 + 0.5 * hue, openness(solid)));
-  blade.height = packUnorm4x8(vec4(height / grass.size.y, 0.0, 0.0, 0.0));
+  blade.canopy = packUnorm4x8(vec4(0.5 * canopy, 0.0, 0.0, 0.0));
   float tall = height * pixels;
   level = tall > grass.levels.x ? 0u : tall > grass.levels.y ? 1u : 2u;
   return true;

@@ -13,6 +13,12 @@ uint tileHash(uint tile) { return hashCombine(tile, uint(grass.droop.w)); }
 // Whole blades of a tile; the broken part of the mean is spread over the tiles.
 uint bladesInTile(uint tile) { return uint(grass.tiles.w + hashToUnit(pcgHash(tileHash(tile) ^ 0x51ed27u))); }
 
+// m from the field, 0 in it.
+float beyondField(vec2 world) {
+  vec2 high = frame.field.xy + frame.field.zw;
+  return length(max(max(frame.field.xy - world, world - high), vec2(0.0)));
+}
+
 // Part of the blades that is drawn where a metre covers so many pixels; may be over 1: all, with room to spare.
 // Blades thin out where they would be narrower than the least width on screen, and altogether where the
 // canopy is only a few pixels high and the ground's shading takes over.

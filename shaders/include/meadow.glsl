@@ -8,10 +8,10 @@ layout(std140, binding = RENDER_UBO_GRASS) uniform GrassUniforms { GrassBlock gr
 
 // Broad patches of the meadow, seen in blades and in the far ground alike: x dryness, y brightness.
 vec2 meadowPatch(vec2 world) {
-  vec4 broad = noiseAtLevel(world, 61.0, 1.0);
-  vec4 small = noiseAtLevel(world.yx, 17.0, 2.0);
-  float dry = smoothstep(0.35, 0.75, 0.6 * broad.g + 0.4 * small.r);
-  return vec2(dry, 0.75 + 0.5 * (0.5 * broad.r + 0.5 * small.g));
+  vec4 broad = noiseAtLevel(vec2(world.x + 0.31 * world.y, world.y - 0.27 * world.x), 83.0, 1.0);
+  vec4 small = noiseAtLevel(world.yx, 23.0, 1.0);
+  float dry = smoothstep(0.4, 0.8, 0.6 * broad.g + 0.4 * small.r);
+  return vec2(dry, 0.8 + 0.4 * (0.5 * broad.r + 0.5 * small.g));
 }
 
 // Colour along a blade. `height` 0..1, `dry` 0..1, `hue` -1 bluish .. 1 yellowish.
@@ -37,20 +37,33 @@ struct GrassLight {
   float shade;     // factor of eq. 14
 };
 
-vec3 transmitted(vec3 albedo) { return albedo * vec3(1.25, 1.2, 0.45) + vec3(0.02, 0.022, 0.0) * albedo.g; }
+vec3 transmitted(vec3 albedo) { return albedo * vec3(1.22, 1.05, 0.38); }
+
+// Grass laid away from the eye shows its lit sides, grass laid towards it the gaps between its tips: what
+// makes the stripes of a mown lawn, and of wind.
+float combed(vec3 t, vec3 v) { return 1.0 - 0.55 * dot(t.xz, v.xz); }
+
+// Laid blades mirror the sky.
+vec3 skySheen(float laid, float sun) { return frame.skyColour.rgb * (0.14 * laid * laid * (0.4 + 0.6 * sun)); }
+
+// And they show their paler undersides.
+vec3 laidAlbedo(vec3 albedo, vec3 t) {
+  float laid = clamp(1.0 - t.y * t.y, 0.0, 1.0);
+  return mix(albedo, vec3(0.95, 1.05, 0.75) * dot(albedo, vec3(0.3, 0.6, 0.1)), 0.35 * laid) * (1.0 + 0.8 * laid);
+}
 
 // Light from a point of one blade towards `v`; `n` is the blade's normal on the side seen.
-vec3 lightBlade(vec3 albedo, vec3 n, vec3 v, GrassLight at) {
+vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, GrassLight at) {
   vec3 l = frame.sunDirection.xyz;
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
   float nl = dot(n, l);
   float forward = pow(max(dot(v, -l), 0.0), 4.0);
-  vec3 direct = albedo * max(nl, 0.0) + transmitted(albedo) * max(-nl, 0.0) * (0.55 + 0.9 * forward);
+  vec3 direct = albedo * max(nl, 0.0) + transmitted(albedo) * max(-nl, 0.0) * (0.5 + 0.7 * forward);
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * (0.75 + 0.25 * n.y);
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
   float sheen = pow(max(dot(n, normalize(v + l)), 0.0), 14.0) * (0.04 + 0.5 * pow(1.0 - max(dot(n, v), 0.0), 4.0));
-  vec3 colour = frame.sunColour.rgb * sun * direct + albedo * (sky + bounce);
-  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35);
+  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - t.y), sun);
 }
 
 // Mean light of the canopy from far: blades of every direction around the stem direction `t`.
@@ -65,14 +78,14 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   float front = 0.5 + 0.5 * around;
   float forward = pow(max(dot(v, -l), 0.0), 4.0);
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
-  vec3 direct = sinL * 0.64 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.55 + 0.9 * forward));
+  vec3 direct = sinL * 0.52 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.5 + 0.7 * forward));
   vec3 h = normalize(v + l);
   float th = dot(t, h);
   float sheen = pow(max(1.0 - th * th, 0.0), 7.0) * (0.03 + 0.2 * pow(1.0 - max(sinV, 0.0), 2.0)) + 0.05 * forward * sinL;
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * 0.85;
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
-  vec3 colour = frame.sunColour.rgb * sun * direct + albedo * (sky + bounce);
-  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35);
+  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(1.0 - t.y, sun);
 }
 
 // Eq. 14 of Choi & Sung 2024: `height` of the point over its root after bending in blade lengths, `force`
@@ -101,7 +114,7 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, float sunlit) {
   vec3 stem = meanStem(wind);
   // A low eye sees the tips, a high one looks down into the canopy.
   float height = mix(0.78, 0.55, max(v.y, 0.0));
-  GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(height * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
-  vec3 albedo = bladeAlbedo(height, patchTint.x * grass.dryColour.w * 1.3, patchTint.y, 0.0);
+  GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
+  vec3 albedo = laidAlbedo(bladeAlbedo(height, patchTint.x * grass.dryColour.w * 1.3, patchTint.y, 0.0), stem);
   return lightCanopy(albedo, stem, v, at);
 }

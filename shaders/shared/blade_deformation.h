@@ -21,7 +21,7 @@ float lengthOf(vec2 v) { return length(v); }
 #endif
 
 // Part of the blade, from the root, that bends.
-#define ARC_BEND_PART 0.55f
+#define ARC_BEND_PART 0.75f
 // rad the steady part of the bend approaches in a gale; with the flutter on top it stays below 90 degrees.
 #define ARC_ANGLE_LIMIT 1.27f
 // rad the tip flutters at most by, at flutter 1.

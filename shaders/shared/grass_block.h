@@ -46,7 +46,7 @@ struct GrassBlade {
   uint bend;        // half2: arc: direction times angle in rad; quadratic: F V
   uint shade;       // half2: height of the shadow of solids over the root, m; |F| of eq. 14
   uint tint;        // unorm4: dryness, half the brightness, hue from -1..1, openness beside solids
-  uint height;      // unorm4: height over the tallest blade, the rest unused
+  uint canopy;      // unorm4: half the height of the canopy around it over the mean one, the rest unused
 };
 
 /// glDrawArraysIndirect and glDispatchComputeIndirect arguments, written by the culling passes.

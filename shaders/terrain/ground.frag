@@ -5,6 +5,7 @@
 #include "shaders/include/noise.glsl"
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/meadow.glsl"
+#include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/scene_output.glsl"
@@ -22,10 +23,11 @@ vec3 undergrowth(vec2 world, float sunlit, float open) {
   return low * light;
 }
 
-float insideMeadow(vec2 world) {
-  vec2 high = frame.field.xy + frame.field.zw;
-  vec2 beyond = max(max(frame.field.xy - world, world - high), vec2(0.0));
-  return 1.0 - smoothstep(0.0, grass.tileOrigin.z, length(beyond));
+// What is left of single blades in the mean colour: tufts, finer the closer they are.
+float tufts(vec2 world, float pixels) {
+  float grain = noiseAt(world, 3.1).b + noiseAt(world, 11.0).a - 1.0;
+  float fine = noiseAt(world.yx, 0.9).b + noiseAt(world, 0.37).a - 1.0;
+  return 1.0 + 0.35 * grain + 0.5 * fine * smoothstep(15.0, 60.0, pixels);
 }
 
 void main() {
@@ -38,15 +40,12 @@ void main() {
 
   float tall = grass.baseColour.w * pixels;
   float blended = 1.0 - smoothstep(0.8, 6.0, tall / grass.cover.w);
-  float field = insideMeadow(world);
-  float mean = max(blended, 1.0 - field);
+  float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileOrigin.z));
   vec3 colour = vec3(0.0);
   if (mean < 1.0) colour = undergrowth(world, sunlit, open);
   if (mean > 0.0) {
     vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
-    // Tufts: what is left of the blades' texture at this distance.
-    float grain = noiseAt(world, 3.1).b + noiseAt(world, 11.0).a - 1.0;
-    vec3 meadow = meadowColour(world, wind, v, sunlit) * mix(open, 1.0, 0.5) * (1.0 + 0.35 * grain);
+    vec3 meadow = meadowColour(world, wind, v, sunlit) * mix(open, 1.0, 0.5) * tufts(world, pixels);
     colour = mix(colour, meadow, mean);
   }
   writeScene(throughAir(colour, groundWorld));

@@ -21,7 +21,7 @@ void main() {
   vec3 n = normalize(stoneNormal);
   vec4 broad = surfaceNoise(stoneWorld, n, 3.7);
   vec4 fine = surfaceNoise(stoneWorld.zyx + 1.3, n.zyx, 0.9);
-  n = normalize(n + (vec3(broad.r, fine.r, broad.g) - 0.5) * 0.8 + (vec3(fine.b, fine.g, broad.b) - 0.5) * 0.35);
+  n = normalize(n + (vec3(broad.r, fine.r, broad.g) - 0.5) * 0.4 + (vec3(fine.b, fine.g, broad.b) - 0.5) * 0.25);
   vec3 albedo = mix(vec3(0.17, 0.16, 0.145), vec3(0.36, 0.335, 0.295), smoothstep(0.25, 0.75, 0.6 * broad.r + 0.4 * fine.b));
   float lichen = smoothstep(0.56, 0.66, broad.g * 0.7 + fine.r * 0.3) * (0.35 + 0.65 * max(n.y, 0.0));
   albedo = mix(albedo, vec3(0.24, 0.25, 0.13), lichen * 0.7);
