@@ -1,134 +1,243 @@
 // Stam, Stable Fluids, 1999 (semi-Lagrangian); Selle, Fedkiw, Kim, Liu & Rossignac, An Unconditionally Stable
 // MacCormack Method, 2008. Deviation: what is carried already has this step's forces, what carries it has not.
+// Compiled for several instruction sets, chosen when the program runs (Highway).
 #include "engine/wind/cpu_advection.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "engine/wind/cpu_borders.hpp"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/wind/cpu_advection.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#ifndef WINDLOOM_WIND_CPU_ADVECTION_ONCE
+#define WINDLOOM_WIND_CPU_ADVECTION_ONCE
 namespace windloom {
-namespace {
+
+/// Where positions may go along one axis, in cells.
+struct AdvectionAxis {
+  bool periodic;
+  float length;
+  float low, high;  // bounds for carried values: the field, one cell wider at open borders
+  bool openLow, openHigh;
+};
+
+/// One component of the advection: faces at array entry (i, k) + offset.
+struct AdvectionJob {
+  const CpuVelocity* velocity;
+  AdvectionAxis x, z;
+  float perX, perZ;  // m/s to cells a step
+  bool xFaces;
+  bool correctable;         // MacCormack: lowest and highest are wanted
+  const CpuPlane* carried;    // q
+  CpuPlane* predicted;        // q'
+  CpuPlane* lowest;           // of the four entries around x', both q' where nothing is to be corrected
+  CpuPlane* highest;
+  CpuPlane* corrected;        // q*
+};
+
+}  // namespace windloom
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace windloom {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::RebindToSigned<FloatTag>;
+using Floats = hn::Vec<FloatTag>;
+using Mask = hn::Mask<FloatTag>;
+
+struct Place {
+  Floats x, z;  // cells
+};
 
 struct Corners {
-  float a, b, c, d, tx, tz;
-  [[nodiscard]] float value() const {
-    const float low = a + (b - a) * tx, high = c + (d - c) * tx;
-    return low + (high - low) * tz;
+  Floats a, b, c, d, tx, tz;
+  [[nodiscard]] HWY_ATTR Floats value() const {
+    const Floats low = hn::Add(a, hn::Mul(hn::Sub(b, a), tx)), high = hn::Add(c, hn::Mul(hn::Sub(d, c), tx));
+    return hn::Add(low, hn::Mul(hn::Sub(high, low), tz));
   }
 };
 
-/// The four entries around array position (x, z); beyond the ghosts lies what they hold.
-Corners cornersAt(const CpuPlane& plane, float x, float z) {
-  x = std::clamp(x, -1.0f, static_cast<float>(plane.width()));
-  z = std::clamp(z, -1.0f, static_cast<float>(plane.height()));
-  const int i = std::min(static_cast<int>(std::floor(x)), plane.width() - 1);
-  const int k = std::min(static_cast<int>(std::floor(z)), plane.height() - 1);
-  const float* low = plane.row(k) + i;
-  const float* high = plane.row(k + 1) + i;
-  return {low[0], low[1], high[0], high[1], x - static_cast<float>(i), z - static_cast<float>(k)};
-}
+/// Reads one array at many places: bounds in array entries, so that one clamp does both the field's and the array's.
+struct Sampler {
+  const float* base;
+  int stride;
+  Floats xLow, xHigh, zLow, zHigh, xLast, zLast, offsetX, offsetZ, periodX, periodZ;
+  bool wrapX, wrapZ;
 
-float wrapped(float x, float period) { return x - period * std::floor(x / period); }
+  HWY_ATTR Sampler(const CpuPlane& plane, const AdvectionAxis& x, const AdvectionAxis& z, float shiftX, float shiftZ, bool carried)
+      : base(plane.row(0)), stride(plane.stride()), wrapX(x.periodic), wrapZ(z.periodic) {
+    const FloatTag d;
+    const auto bounds = [&](const AdvectionAxis& axis, float shift, int count, Floats& low, Floats& high, Floats& last) HWY_ATTR {
+      low = hn::Set(d, std::max((carried ? axis.low : 0.0f) - shift, -1.0f));
+      high = hn::Set(d, std::min((carried ? axis.high : axis.length) - shift, static_cast<float>(count)));
+      last = hn::Set(d, static_cast<float>(count - 1));
+    };
+    bounds(x, shiftX, plane.width(), xLow, xHigh, xLast);
+    bounds(z, shiftZ, plane.height(), zLow, zHigh, zLast);
+    offsetX = hn::Set(d, shiftX);
+    offsetZ = hn::Set(d, shiftZ);
+    periodX = hn::Set(d, x.length);
+    periodZ = hn::Set(d, z.length);
+  }
 
-/// One axis of the field: where positions may go.
-struct Axis {
-  bool periodic;
-  float length;     // cells
-  float low, high;  // bounds for carried values: the field, one cell wider at open borders
-  bool openLow, openHigh;
-
-  [[nodiscard]] float inside(float x) const { return periodic ? wrapped(x, length) : std::clamp(x, 0.0f, length); }
-  [[nodiscard]] float reach(float x) const { return periodic ? wrapped(x, length) : std::clamp(x, low, high); }
-  [[nodiscard]] bool left(float x) const { return (openLow && x < 0) || (openHigh && x > length); }
+  [[nodiscard]] HWY_ATTR Corners at(Place place) const {
+    const FloatTag d;
+    if (wrapX) place.x = hn::Sub(place.x, hn::Mul(periodX, hn::Floor(hn::Div(place.x, periodX))));
+    if (wrapZ) place.z = hn::Sub(place.z, hn::Mul(periodZ, hn::Floor(hn::Div(place.z, periodZ))));
+    const Floats x = hn::Min(hn::Max(hn::Sub(place.x, offsetX), xLow), xHigh);
+    const Floats z = hn::Min(hn::Max(hn::Sub(place.z, offsetZ), zLow), zHigh);
+    const Floats xCell = hn::Min(hn::Floor(x), xLast), zCell = hn::Min(hn::Floor(z), zLast);
+    const IntTag di;
+    const auto index = hn::Add(hn::Mul(hn::ConvertTo(di, zCell), hn::Set(di, stride)), hn::ConvertTo(di, xCell));
+    const float* above = base + stride;
+    return {hn::GatherIndex(d, base, index),  hn::GatherIndex(d, base + 1, index),
+            hn::GatherIndex(d, above, index), hn::GatherIndex(d, above + 1, index),
+            hn::Sub(x, xCell), hn::Sub(z, zCell)};
+  }
 };
 
-Axis axisOf(int cells, Border low, Border high) {
+/// Traces the air of one row of faces.
+class RowTracer {
+ public:
+  HWY_ATTR explicit RowTracer(const AdvectionJob& job)
+      : m_job(job), m_u(job.velocity->u, job.x, job.z, 0.0f, 0.5f, false), m_w(job.velocity->w, job.x, job.z, 0.5f, 0.0f, false) {}
+
+  /// Where the air at the faces from (i, k) is after a step forwards (sign 1) or was before one (-1), by the midpoint rule.
+  HWY_ATTR Place trace(int i, int k, float sign) const {
+    const FloatTag d;
+    const Floats perX = hn::Set(d, m_job.perX * sign), perZ = hn::Set(d, m_job.perZ * sign), half = hn::Set(d, 0.5f);
+    const Place start = {hn::Iota(d, static_cast<float>(i) + (m_job.xFaces ? 0.0f : 0.5f)),
+                         hn::Set(d, static_cast<float>(k) + (m_job.xFaces ? 0.5f : 0.0f))};
+    const CpuPlane &u = m_job.velocity->u, &w = m_job.velocity->w;
+    Floats ownX, ownZ;
+    if (m_job.xFaces) {
+      ownX = hn::LoadU(d, u.row(k) + i);
+      ownZ = meanOfFour(w.row(k) + i - 1, w.row(k + 1) + i - 1);
+    } else {
+      ownX = meanOfFour(u.row(k - 1) + i, u.row(k) + i);
+      ownZ = hn::LoadU(d, w.row(k) + i);
+    }
+    const Place middle = {hn::Add(start.x, hn::Mul(half, hn::Mul(ownX, perX))), hn::Add(start.z, hn::Mul(half, hn::Mul(ownZ, perZ)))};
+    return {hn::Add(start.x, hn::Mul(m_u.at(middle).value(), perX)), hn::Add(start.z, hn::Mul(m_w.at(middle).value(), perZ))};
+  }
+
+  /// Which places lie outside the field behind an open border.
+  HWY_ATTR Mask left(Place place) const {
+    const FloatTag d;
+    const Floats infinity = hn::Set(d, 3e38f);
+    const auto bound = [&](bool open, float value) HWY_ATTR { return open ? hn::Set(d, value) : infinity; };
+    const Mask x = hn::Or(hn::Gt(hn::Neg(place.x), bound(m_job.x.openLow, 0.0f)), hn::Gt(place.x, bound(m_job.x.openHigh, m_job.x.length)));
+    const Mask z = hn::Or(hn::Gt(hn::Neg(place.z), bound(m_job.z.openLow, 0.0f)), hn::Gt(place.z, bound(m_job.z.openHigh, m_job.z.length)));
+    return hn::Or(x, z);
+  }
+
+ private:
+  static HWY_ATTR Floats meanOfFour(const float* low, const float* high) {
+    const FloatTag d;
+    return hn::Mul(hn::Set(d, 0.25f), hn::Add(hn::Add(hn::LoadU(d, low), hn::LoadU(d, low + 1)), hn::Add(hn::LoadU(d, high), hn::LoadU(d, high + 1))));
+  }
+  const AdvectionJob& m_job;
+  Sampler m_u, m_w;
+};
+
+HWY_ATTR Sampler carriedSampler(const AdvectionJob& job, const CpuPlane& plane) {
+  return Sampler(plane, job.x, job.z, job.xFaces ? 0.0f : 0.5f, job.xFaces ? 0.5f : 0.0f, true);
+}
+
+HWY_ATTR void predictRows(const AdvectionJob& job, int begin, int end) {
+  const FloatTag d;
+  const RowTracer tracer(job);
+  const Sampler carried = carriedSampler(job, *job.carried);
+  for (int k = begin; k < end; ++k) {
+    for (int i = 0; i < job.carried->width(); i += static_cast<int>(hn::Lanes(d))) {
+      const Place back = tracer.trace(i, k, -1);
+      const Corners from = carried.at(back);
+      const Floats value = from.value();
+      hn::StoreU(value, d, job.predicted->row(k) + i);
+      if (!job.correctable) continue;
+      const Mask fixed = tracer.left(back);
+      const Floats lowest = hn::Min(hn::Min(from.a, from.b), hn::Min(from.c, from.d));
+      const Floats highest = hn::Max(hn::Max(from.a, from.b), hn::Max(from.c, from.d));
+      hn::StoreU(hn::IfThenElse(fixed, value, lowest), d, job.lowest->row(k) + i);
+      hn::StoreU(hn::IfThenElse(fixed, value, highest), d, job.highest->row(k) + i);
+    }
+  }
+}
+
+HWY_ATTR void correctRows(const AdvectionJob& job, int begin, int end) {
+  const FloatTag d;
+  const RowTracer tracer(job);
+  const Sampler predicted = carriedSampler(job, *job.predicted);
+  const Floats half = hn::Set(d, 0.5f);
+  for (int k = begin; k < end; ++k) {
+    for (int i = 0; i < job.carried->width(); i += static_cast<int>(hn::Lanes(d))) {
+      const Place forth = tracer.trace(i, k, 1);
+      const Floats returned = predicted.at(forth).value();
+      const Floats first = hn::LoadU(d, job.predicted->row(k) + i), q = hn::LoadU(d, job.carried->row(k) + i);
+      const Floats corrected = hn::Add(first, hn::Mul(half, hn::Sub(q, returned)));
+      const Floats limited = hn::Min(hn::Max(corrected, hn::LoadU(d, job.lowest->row(k) + i)), hn::LoadU(d, job.highest->row(k) + i));
+      hn::StoreU(hn::IfThenElse(tracer.left(forth), first, limited), d, job.corrected->row(k) + i);
+    }
+  }
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace windloom
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace windloom {
+namespace {
+
+HWY_EXPORT(predictRows);
+HWY_EXPORT(correctRows);
+
+AdvectionAxis axisOf(int cells, Border low, Border high) {
   const float length = static_cast<float>(cells);
   const bool openLow = low == Border::Open, openHigh = high == Border::Open;
   return {low == Border::Periodic, length, openLow ? -1.0f : 0.0f, openHigh ? length + 1 : length, openLow, openHigh};
 }
 
-struct Tracer {
-  const CpuVelocity& velocity;
-  Axis x, z;
-  float perX, perZ;  // cells a metre times the time step: velocity to cells a step
-
-  explicit Tracer(const CpuFields& f)
-      : velocity(f.velocity), x(axisOf(f.width(), f.grid.xMin, f.grid.xMax)), z(axisOf(f.height(), f.grid.zMin, f.grid.zMax)),
-        perX(f.dt / f.grid.hx), perZ(f.dt / f.grid.hz) {}
-
-  [[nodiscard]] glm::vec2 cellsAStep(float px, float pz) const {
-    const float cx = x.inside(px), cz = z.inside(pz);
-    return {cornersAt(velocity.u, cx, cz - 0.5f).value() * perX, cornersAt(velocity.w, cx - 0.5f, cz).value() * perZ};
-  }
-  /// Where the air at (px, pz) with velocity `own` (cells a step) is after `sign` steps, by the midpoint rule.
-  [[nodiscard]] glm::vec2 trace(float px, float pz, glm::vec2 own, float sign) const {
-    const glm::vec2 middle = cellsAStep(px + 0.5f * sign * own.x, pz + 0.5f * sign * own.y);
-    return {px + sign * middle.x, pz + sign * middle.y};
-  }
-};
-
-/// The velocity (cells a step) on the x-face or z-face with array entry (i, k).
-glm::vec2 velocityOnFace(const Tracer& t, bool xFace, int i, int k) {
-  const CpuPlane &u = t.velocity.u, &w = t.velocity.w;
-  if (xFace) return {u.at(i, k) * t.perX, 0.25f * ((w.at(i - 1, k) + w.at(i, k)) + (w.at(i - 1, k + 1) + w.at(i, k + 1))) * t.perZ};
-  return {0.25f * ((u.at(i, k - 1) + u.at(i + 1, k - 1)) + (u.at(i, k) + u.at(i + 1, k))) * t.perX, w.at(i, k) * t.perZ};
+AdvectionJob jobOf(CpuFields& f, bool xFaces) {
+  AdvectionJob job{};
+  job.velocity = &f.velocity;
+  job.x = axisOf(f.width(), f.grid.xMin, f.grid.xMax);
+  job.z = axisOf(f.height(), f.grid.zMin, f.grid.zMax);
+  job.perX = f.dt / f.grid.hx;
+  job.perZ = f.dt / f.grid.hz;
+  job.xFaces = xFaces;
+  job.correctable = f.solver.advection == Advection::MacCormack;
+  const auto part = [&](CpuVelocity& field) { return xFaces ? &field.u : &field.w; };
+  job.carried = part(f.forced);
+  job.predicted = part(f.moved);
+  job.lowest = part(f.lowest);
+  job.highest = part(f.highest);
+  job.corrected = part(f.corrected);
+  return job;
 }
-
-struct Pass {
-  const Tracer& tracer;
-  bool xFace;
-  [[nodiscard]] float offsetX() const { return xFace ? 0.0f : 0.5f; }
-  [[nodiscard]] float offsetZ() const { return xFace ? 0.5f : 0.0f; }
-
-  [[nodiscard]] Corners read(const CpuPlane& plane, glm::vec2 place) const {
-    return cornersAt(plane, tracer.x.reach(place.x) - offsetX(), tracer.z.reach(place.y) - offsetZ());
-  }
-  void predict(const CpuPlane& carried, int k, float* out) const {
-    for (int i = 0; i < carried.width(); ++i) {
-      const glm::vec2 own = velocityOnFace(tracer, xFace, i, k);
-      out[i] = read(carried, tracer.trace(float(i) + offsetX(), float(k) + offsetZ(), own, -1)).value();
-    }
-  }
-  void correct(const CpuPlane& carried, const CpuPlane& predicted, int k, float* out) const {
-    const auto left = [&](glm::vec2 place) { return tracer.x.left(place.x) || tracer.z.left(place.y); };
-    const float* q = carried.row(k);
-    const float* first = predicted.row(k);
-    for (int i = 0; i < carried.width(); ++i) {
-      const glm::vec2 own = velocityOnFace(tracer, xFace, i, k);
-      const float px = float(i) + offsetX(), pz = float(k) + offsetZ();
-      const glm::vec2 back = tracer.trace(px, pz, own, -1), forth = tracer.trace(px, pz, own, 1);
-      const Corners from = read(carried, back);
-      const float returned = read(predicted, forth).value();
-      const float lowest = std::min(std::min(from.a, from.b), std::min(from.c, from.d));
-      const float highest = std::max(std::max(from.a, from.b), std::max(from.c, from.d));
-      const float corrected = std::clamp(first[i] + 0.5f * (q[i] - returned), lowest, highest);
-      out[i] = left(back) || left(forth) ? first[i] : corrected;
-    }
-  }
-};
 
 }  // namespace
 
 void advect(CpuFields& f, ThreadPool& pool) {
-  const Tracer tracer(f);
-  const Pass onX{tracer, true}, onZ{tracer, false};
+  const AdvectionJob onX = jobOf(f, true), onZ = jobOf(f, false);
   forRowTasks(pool, f.height() + 1, [&](int, int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      if (k < f.height()) onX.predict(f.forced.u, k, f.moved.u.row(k));
-      onZ.predict(f.forced.w, k, f.moved.w.row(k));
-    }
+    HWY_DYNAMIC_DISPATCH(predictRows)(onX, begin, std::min(end, f.height()));
+    HWY_DYNAMIC_DISPATCH(predictRows)(onZ, begin, end);
   });
-  if (f.solver.advection == Advection::SemiLagrangian) return;
+  if (!onX.correctable) return;
   fillGhosts(f, f.moved, OpenGhost::Ambient);
   forRowTasks(pool, f.height() + 1, [&](int, int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      if (k < f.height()) onX.correct(f.forced.u, f.moved.u, k, f.corrected.u.row(k));
-      onZ.correct(f.forced.w, f.moved.w, k, f.corrected.w.row(k));
-    }
+    HWY_DYNAMIC_DISPATCH(correctRows)(onX, begin, std::min(end, f.height()));
+    HWY_DYNAMIC_DISPATCH(correctRows)(onZ, begin, end);
   });
   std::swap(f.moved, f.corrected);
 }
 
 }  // namespace windloom
+#endif

@@ -47,6 +47,7 @@ struct CpuFields {
 
   CpuVelocity velocity;                   // the field that left the last step
   CpuVelocity forced, moved, corrected;   // q; q', then q*; room for the correction
+  CpuVelocity lowest, highest;            // bounds of the correction
   CpuPlane phi;                           // m^2/s
   CpuPlane speedX, speedZ;                // cell velocity; before the advection also scratch for force increments
   CpuRuns blockedX, blockedZ;             // faces kept at 0

@@ -4,8 +4,7 @@
 #include <vector>
 
 #include "engine/core/thread_pool.hpp"
-#include "engine/wind/cpu_plane.hpp"
-#include "engine/wind/pressure_levels.hpp"
+#include "engine/wind/cpu_level.hpp"
 
 namespace windloom {
 
@@ -20,35 +19,25 @@ class CpuMultigrid {
   [[nodiscard]] CpuPlane& flux() { return m_levels[0].b; }
   /// The solution d.
   [[nodiscard]] const CpuPlane& correction() const { return m_levels[0].d; }
-  [[nodiscard]] CpuPlane& correction() { return m_levels[0].d; }
 
   /// d = 0.
   void start();
-  /// One V-cycle from the present d.
-  void cycle(ThreadPool& pool);
-  /// One Jacobi sweep of the given weight.
-  void sweep(ThreadPool& pool, float weight) { sweepLevel(pool, m_levels[0], weight); }
-  /// Sum over cells of (b - A d)^2.
-  [[nodiscard]] double residualSquares(ThreadPool& pool);
+  /// One V-cycle from the present d; afterwards the sum over cells of (b - A d)^2.
+  double cycle(ThreadPool& pool);
+  /// Jacobi sweeps from the present d.
+  void sweep(ThreadPool& pool, int sweeps);
 
   [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
-  struct Level {
-    int width = 0, height = 0, factorX = 1, factorZ = 1;
-    CpuPlane d, b, next;             // cells
-    CpuPlane cx, cz, shareX, shareZ;  // faces
-    CpuPlane inverse;                // cells
-  };
-  void sweepLevel(ThreadPool& pool, Level& level, float weight);
-  void restrictResidual(ThreadPool& pool, const Level& fine, Level& coarse);
-  void prolong(ThreadPool& pool, Level& coarse, Level& fine);
-  void wrapGhosts(CpuPlane& plane) const;
-  void borderGhosts(CpuPlane& plane) const;
+  double run(ThreadPool& pool, const LevelPass& pass);
+  void setGhosts(CpuPlane& plane) const;
+  void wrapSides(CpuLevel& level) const;
 
   Border m_xMin = Border::Open, m_xMax = Border::Open, m_zMin = Border::Open, m_zMax = Border::Open;
-  std::vector<Level> m_levels;
+  std::vector<CpuLevel> m_levels;
   std::vector<double> m_sums;
+  bool m_zero = true;  // d of the finest level counts as 0, whatever it holds
 };
 
 }  // namespace windloom

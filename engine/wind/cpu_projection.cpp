@@ -86,13 +86,12 @@ void subtractGradient(const CpuFields& f, ThreadPool& pool, const CpuPlane& phi,
 int solve(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool, double wantedSquares, double startSquares) {
   multigrid.start();
   if (f.solver.pressure == Pressure::Jacobi) {
-    for (int n = 0; n < f.solver.jacobiSweeps; ++n) multigrid.sweep(pool, 1.0f);
+    multigrid.sweep(pool, f.solver.jacobiSweeps);
     return f.solver.jacobiSweeps;
   }
   int cycles = 0;
   for (double squares = startSquares; squares > wantedSquares && cycles < f.solver.maxCycles; ++cycles) {
-    multigrid.cycle(pool);
-    if (cycles + 1 < f.solver.maxCycles) squares = multigrid.residualSquares(pool);
+    squares = multigrid.cycle(pool);
   }
   return cycles;
 }

@@ -41,7 +41,7 @@ class StageClock {
 CpuFields makeFields(const WindSetup& setup) {
   CpuFields f;
   f.grid = makeWindGrid(setup.field, setup.obstacles);
-  for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) *v = CpuVelocity(f.grid);
+  for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest}) *v = CpuVelocity(f.grid);
   for (CpuPlane* p : {&f.phi, &f.speedX, &f.speedZ}) *p = CpuPlane(f.grid.width, f.grid.height);
   return f;
 }
@@ -73,7 +73,7 @@ void CpuWindSolver::configure(const WindSetup& setup) {
 std::size_t CpuWindSolver::memoryBytes() const {
   const CpuFields& f = m_fields;
   std::size_t sum = m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
-  for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected}) sum += v->u.bytes() + v->w.bytes();
+  for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest}) sum += v->u.bytes() + v->w.bytes();
   return sum;
 }
 

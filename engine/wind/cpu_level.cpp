@@ -1,0 +1,223 @@
+// Row kernels compiled for several instruction sets, chosen when the program runs (Highway). The loops are plain: with the
+// target set by Highway's attributes the compiler vectorises them; no multiply-add, so that all sets give the same bytes.
+#include "engine/wind/cpu_level.hpp"
+
+#include <algorithm>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/wind/cpu_level.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace windloom {
+namespace HWY_NAMESPACE {
+
+/// Rows of the stages between the sweeps: the last four of each.
+class Rings {
+ public:
+  Rings(const CpuLevel& level, std::vector<float>& memory)
+      : m_width(level.width), m_stride((level.width + 2 * CpuPlane::kMargin + 15) / 16 * 16) {
+    memory.assign(static_cast<std::size_t>(m_stride) * (kStages * 4 + 2), 0.0f);
+    m_memory = memory.data() + CpuPlane::kMargin;
+  }
+  [[nodiscard]] float* row(int stage, int k) { return m_memory + static_cast<std::ptrdiff_t>(stage * 4 + (k & 3)) * m_stride; }
+  [[nodiscard]] float* zero() { return m_memory + static_cast<std::ptrdiff_t>(kStages * 4) * m_stride; }
+  [[nodiscard]] float* residual() { return m_memory + static_cast<std::ptrdiff_t>(kStages * 4 + 1) * m_stride; }
+
+ private:
+  static constexpr int kStages = 4;
+  int m_width, m_stride;
+  float* m_memory;
+};
+
+struct RowPlace {
+  const CpuLevel& level;
+  int k;  // row in the level
+};
+
+struct Neighbours {
+  const float *own, *low, *high;
+};
+
+/// out = d + weight (D^-1 (sum c d_neighbour - b) - d), 0 in cells without air.
+HWY_ATTR void smoothRow(RowPlace at, Neighbours d, float weight, float* HWY_RESTRICT out) {
+  const CpuLevel& l = at.level;
+  const float* HWY_RESTRICT b = l.b.row(at.k);
+  const float *HWY_RESTRICT own = d.own, *HWY_RESTRICT low = d.low, *HWY_RESTRICT high = d.high;
+  const float keep = 1 - weight;
+  for (int n = l.runStart[static_cast<std::size_t>(at.k)]; n < l.runStart[static_cast<std::size_t>(at.k) + 1]; ++n) {
+    const LevelRun run = l.runs[static_cast<std::size_t>(n)];
+    if (run.plain) {
+      const float ax = l.plainX, az = l.plainZ, scale = weight * l.plainInverse;
+      for (int i = run.begin; i < run.end; ++i) {
+        const float sum = ax * (own[i - 1] + own[i + 1]) + az * (low[i] + high[i]);
+        out[i] = keep * own[i] + scale * (sum - b[i]);
+      }
+    } else {
+      const float *cx = l.cx.row(at.k), *czLow = l.cz.row(at.k), *czHigh = l.cz.row(at.k + 1), *inverse = l.inverse.row(at.k);
+      for (int i = run.begin; i < run.end; ++i) {
+        const float sum = (cx[i] * own[i - 1] + cx[i + 1] * own[i + 1]) + (czLow[i] * low[i] + czHigh[i] * high[i]);
+        const float value = keep * own[i] + weight * inverse[i] * (sum - b[i]);
+        out[i] = inverse[i] > 0 ? value : 0.0f;
+      }
+    }
+  }
+}
+
+/// The first sweep from d = 0.
+HWY_ATTR void startRow(RowPlace at, float weight, float* HWY_RESTRICT out) {
+  const float *HWY_RESTRICT b = at.level.b.row(at.k), *HWY_RESTRICT inverse = at.level.inverse.row(at.k);
+  for (int i = 0; i < at.level.width; ++i) out[i] = -(weight * inverse[i]) * b[i];
+}
+
+/// out = b - A d.
+HWY_ATTR void residualRow(RowPlace at, Neighbours d, float* HWY_RESTRICT out) {
+  const CpuLevel& l = at.level;
+  const float* HWY_RESTRICT b = l.b.row(at.k);
+  const float *HWY_RESTRICT own = d.own, *HWY_RESTRICT low = d.low, *HWY_RESTRICT high = d.high;
+  for (int n = l.runStart[static_cast<std::size_t>(at.k)]; n < l.runStart[static_cast<std::size_t>(at.k) + 1]; ++n) {
+    const LevelRun run = l.runs[static_cast<std::size_t>(n)];
+    if (run.plain) {
+      const float ax = l.plainX, az = l.plainZ, diagonal = 2 * (ax + az);
+      for (int i = run.begin; i < run.end; ++i) {
+        out[i] = (b[i] + diagonal * own[i]) - (ax * (own[i - 1] + own[i + 1]) + az * (low[i] + high[i]));
+      }
+    } else {
+      const float *cx = l.cx.row(at.k), *czLow = l.cz.row(at.k), *czHigh = l.cz.row(at.k + 1), *inverse = l.inverse.row(at.k);
+      for (int i = run.begin; i < run.end; ++i) {
+        const float sum = (cx[i] * own[i - 1] + cx[i + 1] * own[i + 1]) + (czLow[i] * low[i] + czHigh[i] * high[i]);
+        out[i] = inverse[i] > 0 ? b[i] - (sum - own[i] / inverse[i]) : 0.0f;
+      }
+    }
+  }
+}
+
+/// out = d + the coarse correction, interpolated linearly from the cell above and its neighbours on this cell's side.
+HWY_ATTR void prolongRow(RowPlace at, const CpuLevel& coarse, const float* HWY_RESTRICT d, float* HWY_RESTRICT out) {
+  const int ck = at.k / coarse.factorZ, width = at.level.width;
+  const bool pairs = coarse.factorZ == 2, upper = pairs && (at.k & 1) != 0;
+  const float* HWY_RESTRICT c = coarse.d.row(ck);
+  const float* HWY_RESTRICT z = coarse.d.row(upper ? ck + 1 : pairs ? ck - 1 : ck);
+  const float *HWY_RESTRICT sx = coarse.shareX.row(ck), *HWY_RESTRICT sz = coarse.shareZ.row(upper ? ck + 1 : ck);
+  if (coarse.factorX == 1) {
+    for (int i = 0; i < width; ++i) out[i] = d[i] + (c[i] + 0.25f * sz[i] * (z[i] - c[i]));
+    return;
+  }
+  for (int i = 0; i < width / 2; ++i) {
+    const float middle = c[i] + 0.25f * sz[i] * (z[i] - c[i]);
+    out[2 * i] = d[2 * i] + (middle + 0.25f * sx[i] * (c[i - 1] - c[i]));
+    out[2 * i + 1] = d[2 * i + 1] + (middle + 0.25f * sx[i + 1] * (c[i + 1] - c[i]));
+  }
+  if (width % 2 != 0) {
+    const int i = width / 2;
+    const float middle = c[i] + 0.25f * sz[i] * (z[i] - c[i]);
+    out[2 * i] = d[2 * i] + (middle + 0.25f * sx[i] * (c[i - 1] - c[i]));
+  }
+}
+
+HWY_ATTR void restrictRow(const float* HWY_RESTRICT residual, const CpuLevel& fine, CpuLevel& coarse, int k) {
+  float* HWY_RESTRICT out = coarse.b.row(k / coarse.factorZ);
+  if (k % coarse.factorZ == 0) std::fill_n(out, coarse.width, 0.0f);
+  if (coarse.factorX == 1) {
+    for (int i = 0; i < coarse.width; ++i) out[i] += residual[i];
+    return;
+  }
+  for (int i = 0; i < fine.width / 2; ++i) out[i] += residual[2 * i] + residual[2 * i + 1];
+  if (fine.width % 2 != 0) out[fine.width / 2] += residual[fine.width - 1];
+}
+
+/// Sum of squares, in sixteen lanes whatever the vector size.
+HWY_ATTR double squaresOf(const float* HWY_RESTRICT values, int count) {
+  float lanes[16] = {};
+  int i = 0;
+  for (; i + 16 <= count; i += 16) {
+    for (int n = 0; n < 16; ++n) lanes[n] += values[i + n] * values[i + n];
+  }
+  double sum = 0;
+  for (; i < count; ++i) sum += static_cast<double>(values[i] * values[i]);
+  for (const float lane : lanes) sum += static_cast<double>(lane);
+  return sum;
+}
+
+/// The pipeline: row r enters at stage 0, and stage m works on row r - m.
+class Pipeline {
+ public:
+  HWY_ATTR Pipeline(const LevelPass& pass, int begin, int end, std::vector<float>& memory)
+      : m_pass(pass), m_level(*pass.level), m_rings(m_level, memory), m_begin(begin), m_end(end) {}
+
+  HWY_ATTR double run() {
+    const int sweeps = m_pass.sweeps, tail = m_pass.end == PassEnd::None ? 0 : 1;
+    const int reach = sweeps + tail;
+    double sum = 0;
+    for (int r = m_begin - reach; r < m_end + 2 * reach; ++r) {
+      if (m_pass.start == PassStart::Prolong && inside(r, reach)) enter(r);
+      for (int m = 1; m <= sweeps; ++m) {
+        const int k = r - m;
+        if (!inside(k, reach - m)) continue;
+        float* out = m_rings.row(m, k);
+        if (m == 1 && m_pass.start == PassStart::Zero) {
+          startRow({m_level, wrap(k)}, m_pass.weights[0], out);
+        } else {
+          smoothRow({m_level, wrap(k)}, around(m - 1, k), m_pass.weights[m - 1], out);
+        }
+        setEnds(out);
+        if (m == sweeps && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
+      }
+      const int k = r - reach;
+      if (tail != 0 && k >= m_begin && k < m_end) sum += leave(k);
+    }
+    return sum;
+  }
+
+ private:
+  /// Whether stage rows with `more` rows on each side of the task hold row k.
+  [[nodiscard]] bool inside(int k, int more) const {
+    return k >= m_begin - more && k < m_end + more && (m_level.periodicZ || (k >= 0 && k < m_level.height));
+  }
+  [[nodiscard]] int wrap(int k) const {
+    return m_level.periodicZ ? (k % m_level.height + m_level.height) % m_level.height : k;
+  }
+  [[nodiscard]] const float* rowOf(int stage, int k) {
+    if (!m_level.periodicZ && (k < 0 || k >= m_level.height)) return m_rings.zero();
+    if (stage == 0 && m_pass.start == PassStart::Plane) return m_level.d.row(wrap(k));
+    return m_rings.row(stage, k);
+  }
+  [[nodiscard]] Neighbours around(int stage, int k) { return {rowOf(stage, k), rowOf(stage, k - 1), rowOf(stage, k + 1)}; }
+  void setEnds(float* row) const {
+    row[-1] = m_level.periodicX ? row[m_level.width - 1] : 0.0f;
+    row[m_level.width] = m_level.periodicX ? row[0] : 0.0f;
+  }
+  HWY_ATTR void enter(int k) {
+    float* out = m_rings.row(0, k);
+    prolongRow({m_level, wrap(k)}, *m_pass.coarse, m_level.d.row(wrap(k)), out);
+    setEnds(out);
+  }
+  HWY_ATTR double leave(int k) {
+    residualRow({m_level, k}, around(m_pass.sweeps, k), m_rings.residual());
+    if (m_pass.end == PassEnd::Measure) return squaresOf(m_rings.residual(), m_level.width);
+    restrictRow(m_rings.residual(), m_level, *m_pass.coarse, k);
+    return 0;
+  }
+
+  const LevelPass& m_pass;
+  CpuLevel& m_level;
+  Rings m_rings;
+  int m_begin, m_end;
+};
+
+HWY_ATTR double levelPassRows(const LevelPass& pass, int begin, int end) {
+  thread_local std::vector<float> memory;
+  return Pipeline(pass, begin, end, memory).run();
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace windloom
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace windloom {
+HWY_EXPORT(levelPassRows);
+double runLevelPass(const LevelPass& pass, int begin, int end) { return HWY_DYNAMIC_DISPATCH(levelPassRows)(pass, begin, end); }
+}  // namespace windloom
+#endif

@@ -1,0 +1,57 @@
+#pragma once
+// One level of the CPU backend's multigrid, and the one pass over it that everything is made of.
+
+#include <vector>
+
+#include "engine/wind/cpu_plane.hpp"
+#include "engine/wind/pressure_levels.hpp"
+
+namespace windloom {
+
+/// Cells [begin, end) of a row; plain ones all have the level's common conductances and no border or solid at a face.
+struct LevelRun {
+  int begin, end;
+  bool plain;
+};
+
+struct CpuLevel {
+  int width = 0, height = 0, factorX = 1, factorZ = 1;
+  bool periodicX = false, periodicZ = false;
+  CpuPlane d, b, next;              // cells
+  CpuPlane cx, cz, shareX, shareZ;  // faces
+  CpuPlane inverse;                 // cells
+  float plainX = 0, plainZ = 0, plainInverse = 0;
+  std::vector<LevelRun> runs;
+  std::vector<int> runStart;        // height + 1
+};
+
+/// Rows a task of a pass works on; even, so that a pair of rows that coarsens into one stays in one task.
+inline constexpr int kLevelRowsPerTask = 32;
+
+enum class PassStart {
+  Zero,     ///< d is 0
+  Plane,    ///< d as it is
+  Prolong,  ///< d plus the coarse level's correction
+};
+enum class PassEnd {
+  Restrict,  ///< the residual becomes the coarse level's b
+  Measure,   ///< the residual's squares are summed
+  None,
+};
+
+/// Sweeps of the smoother over one level, with what comes before and after them, row by row, so that a row stays in the
+/// cache from the first sweep to the last. The result is written to level.next.
+struct LevelPass {
+  CpuLevel* level = nullptr;
+  CpuLevel* coarse = nullptr;   // for Prolong and Restrict; for Prolong with the ghosts of its d set
+  PassStart start = PassStart::Zero;
+  PassEnd end = PassEnd::None;
+  float weights[3] = {0, 0, 0};
+  int sweeps = 3;               // 0 to 3
+};
+
+/// Runs rows [begin, end) of a pass; the sum of the residual's squares over them where it measures, else 0. Tasks of one
+/// pass may run at the same time.
+double runLevelPass(const LevelPass& pass, int begin, int end);
+
+}  // namespace windloom
