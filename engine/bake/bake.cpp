@@ -27,7 +27,8 @@ class WorkFolder {
   static Result<WorkFolder> create(const fs::path& parent) {
     std::string name = (parent / ".bake.XXXXXX").string();
     if (::mkdtemp(name.data()) == nullptr) {
-      return makeError(ErrorKind::Machine, parent.string(), {}, std::string("can't write here: ") + std::strerror(errno));
+      return makeError(ErrorKind::Machine, parent.string(), {},
+                       std::string("can't write here: ") + std::strerror(errno));
     }
     return WorkFolder(name);
   }
@@ -88,7 +89,8 @@ class Baker {
     std::uint64_t needed = 0;
     const auto frames = static_cast<std::uint64_t>(m_header.frames);
     for (const WriterKind* kind : m_request.formats) {
-      if (kind->name != "png") needed += kind->bytesPerFrame(m_header.grid.resolution) * frames;  // PNG shrinks, nobody knows how far
+      if (kind->name != "png")
+        needed += kind->bytesPerFrame(m_header.grid.resolution) * frames;  // PNG shrinks, nobody knows how far
     }
     std::error_code ec;
     const fs::space_info space = fs::space(m_work, ec);
@@ -113,8 +115,7 @@ class Baker {
     }
     for (const ManifestFile& file : listed) m_report.files.push_back(file.file.path);
     m_report.files.emplace_back("manifest.json");
-    const std::string text =
-        manifestText(m_header, m_simulation.project(), m_simulation.solver().backend(), listed);
+    const std::string text = manifestText(m_header, m_simulation.project(), m_simulation.solver().backend(), listed);
     return writeFileAtomically(m_work / "manifest.json", text);
   }
 
@@ -125,7 +126,8 @@ class Baker {
     for (const std::string& name : m_report.files) {
       m_report.bytes += fs::file_size(m_work / name, ec);
       fs::rename(m_work / name, m_request.folder / name, ec);
-      if (ec) return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {}, "can't write: " + ec.message());
+      if (ec)
+        return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {}, "can't write: " + ec.message());
     }
     for (const std::string& name : older) {
       if (std::find(m_report.files.begin(), m_report.files.end(), name) == m_report.files.end()) {

@@ -16,12 +16,12 @@ namespace windloom {
 inline constexpr int kMaxBakeFrames = 100'000;
 
 struct BakeRequest {
-  std::filesystem::path folder;               ///< made where it isn't there
-  std::vector<const WriterKind*> formats;     ///< at least one, none twice
+  std::filesystem::path folder;            ///< made where it isn't there
+  std::vector<const WriterKind*> formats;  ///< at least one, none twice
   RecordPlan plan;
-  bool loop = false;                          ///< then plan.crossfade says how many frames are blended
-  std::optional<glm::ivec2> resolution;       ///< of the written frames; the wind always runs on the project's
-  std::optional<float> speedRange;            ///< m/s that flow maps encode as full scale; else from the recording
+  bool loop = false;                     ///< then plan.crossfade says how many frames are blended
+  std::optional<glm::ivec2> resolution;  ///< of the written frames; the wind always runs on the project's
+  std::optional<float> speedRange;       ///< m/s that flow maps encode as full scale; else from the recording
   Preset preset = Preset::Generic;
 };
 
@@ -33,11 +33,11 @@ struct BakeProgress {
 };
 
 struct BakeReport {
-  bool cancelled = false;           ///< then nothing was written
-  std::vector<std::string> files;   ///< names in the folder, the manifest last
-  std::uint64_t bytes = 0;          ///< of all of them
+  bool cancelled = false;          ///< then nothing was written
+  std::vector<std::string> files;  ///< names in the folder, the manifest last
+  std::uint64_t bytes = 0;         ///< of all of them
   BakeHeader header;
-  long steps = 0;                   ///< of the simulation at the end
+  long steps = 0;  ///< of the simulation at the end
 };
 
 /// Runs `simulation` from where it stands through the plan. All files are written to a folder inside `folder` and

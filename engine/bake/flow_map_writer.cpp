@@ -16,7 +16,9 @@ std::uint8_t signedCode(float part) {
   return static_cast<std::uint8_t>(128 + std::clamp(static_cast<int>(std::lround(part * 127.0f)), -127, 127));
 }
 
-std::uint8_t unsignedCode(float part) { return static_cast<std::uint8_t>(std::lround(std::clamp(part, 0.0f, 1.0f) * 255.0f)); }
+std::uint8_t unsignedCode(float part) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(part, 0.0f, 1.0f) * 255.0f));
+}
 
 /// "flow.0007.png"; more digits from frame 10,000 on.
 std::string frameName(int frame) {
@@ -28,7 +30,9 @@ std::string frameName(int frame) {
 class FlowMapWriter final : public FrameWriter {
  public:
   FlowMapWriter(const BakeHeader& header, std::filesystem::path folder)
-      : m_header(header), m_rules(rulesOf(header.preset)), m_folder(std::move(folder)),
+      : m_header(header),
+        m_rules(rulesOf(header.preset)),
+        m_folder(std::move(folder)),
         m_image(header.grid.resolution.x, header.grid.resolution.y, 4) {}
 
   Status add(int frame, std::span<const glm::vec2> cells) override {

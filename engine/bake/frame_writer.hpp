@@ -19,23 +19,23 @@ namespace windloom {
 
 /// What every writer is told about the recording.
 struct BakeHeader {
-  GridMapping grid{};      ///< of the written frames
+  GridMapping grid{};  ///< of the written frames
   int frames = 1;
   double fps = 30;
-  double start = 0;        ///< s: time of frame 0 in the project
-  int crossfade = 0;       ///< frames blended into the seam
+  double start = 0;   ///< s: time of frame 0 in the project
+  int crossfade = 0;  ///< frames blended into the seam
   bool loop = false;
   bool periodicX = false, periodicZ = false;  ///< the field repeats there
-  float fastest = 0;       ///< m/s: no cell of any frame is faster; 0 where no writer needs to know it
-  float speedRange = 1;    ///< m/s that integer formats encode as full scale; > 0
+  float fastest = 0;     ///< m/s: no cell of any frame is faster; 0 where no writer needs to know it
+  float speedRange = 1;  ///< m/s that integer formats encode as full scale; > 0
   Preset preset = Preset::Generic;
 };
 
 /// One file that a writer left in its folder.
 struct BakedFile {
-  std::string path;        ///< in the folder
-  std::string role;        ///< "field": our frame; "flow": an image in the preset's frame
-  std::string encoding;    ///< "float32", "half", "unorm8"
+  std::string path;      ///< in the folder
+  std::string role;      ///< "field": our frame; "flow": an image in the preset's frame
+  std::string encoding;  ///< "float32", "half", "unorm8"
 };
 
 class FrameWriter {

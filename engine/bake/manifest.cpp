@@ -12,9 +12,13 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 /// A float as the double of its shortest decimal text, so that 0.1f is written as 0.1.
-double plain(float value) { return parseNumber(shortest(value)).value_or(0.0); }
+double plain(float value) {
+  return parseNumber(shortest(value)).value_or(0.0);
+}
 
-Json pair(glm::vec2 value) { return Json::array({plain(value.x), plain(value.y)}); }
+Json pair(glm::vec2 value) {
+  return Json::array({plain(value.x), plain(value.y)});
+}
 
 Json frameOf(const PresetRules& rules) {
   return {{"handedness", rules.handedness}, {"up", rules.up}, {"axes", {rules.axes[0], rules.axes[1]}}};
@@ -25,10 +29,15 @@ Json boundsOf(const PresetRules& rules, const GridMapping& grid) {
   return {{"min", pair(bounds.min)}, {"max", pair(bounds.max)}};
 }
 
-std::string_view rowOrderOf(const PresetRules& rules) { return rules.firstRowHigh ? "descending" : "ascending"; }
+std::string_view rowOrderOf(const PresetRules& rules) {
+  return rules.firstRowHigh ? "descending" : "ascending";
+}
 
 Json fileEntry(const ManifestFile& baked, const BakeHeader& header) {
-  Json entry = {{"path", baked.file.path}, {"sha256", baked.sha256}, {"role", baked.file.role}, {"encoding", baked.file.encoding}};
+  Json entry = {{"path", baked.file.path},
+                {"sha256", baked.sha256},
+                {"role", baked.file.role},
+                {"encoding", baked.file.encoding}};
   if (baked.file.role == "field") {
     const PresetRules& own = rulesOf(Preset::Generic);
     entry["units"] = own.speedUnit;
@@ -58,7 +67,8 @@ bool isPlainName(const std::string& name) {
 std::string manifestText(const BakeHeader& header, const Project& project, Backend backend,
                          std::span<const ManifestFile> files) {
   const PresetRules& rules = rulesOf(header.preset);
-  const auto encoded = std::any_of(files.begin(), files.end(), [](const ManifestFile& f) { return f.file.encoding == "unorm8"; });
+  const auto encoded =
+      std::any_of(files.begin(), files.end(), [](const ManifestFile& f) { return f.file.encoding == "unorm8"; });
   const float speed = encoded ? header.speedRange : header.fastest;
   Json manifest = {{"format", "windpack"},
                    {"version", 1},

@@ -10,19 +10,32 @@ namespace {
 // Sources: Unreal's glTF exporter swaps to (x, z, y) and counts centimetres; UnityGLTF negates x, and Unity puts
 // texture coordinate v = 0 at the bottom row of a file; Godot shares glTF's frame and has v = 0 at the top row.
 constexpr std::array<PresetRules, 4> kPresets = {{
-    {Preset::Generic, "generic", "our own frame: right-handed, +Y up, metres, first image row at low z",
-     "right", "+Y", {"x", "z"}, 1.0f, "m", "m/s", false, false},
-    {Preset::Unreal, "unreal", "left-handed, +Z up, centimetres; our z is its y",
-     "left", "+Z", {"x", "y"}, 100.0f, "cm", "cm/s", false, false},
-    {Preset::Unity, "unity", "left-handed, +Y up, x negated, first image row at high z",
-     "left", "+Y", {"x", "z"}, 1.0f, "m", "m/s", true, true},
-    {Preset::Godot, "godot", "as generic",
-     "right", "+Y", {"x", "z"}, 1.0f, "m", "m/s", false, false},
+    {.preset = Preset::Generic,
+     .name = "generic",
+     .help = "our own frame: right-handed, +Y up, metres, first image row at low z"},
+    {.preset = Preset::Unreal,
+     .name = "unreal",
+     .help = "left-handed, +Z up, centimetres; our z is its y",
+     .handedness = "left",
+     .up = "+Z",
+     .axes = {"x", "y"},
+     .unitsPerMetre = 100.0f,
+     .lengthUnit = "cm",
+     .speedUnit = "cm/s"},
+    {.preset = Preset::Unity,
+     .name = "unity",
+     .help = "left-handed, +Y up, x negated, first image row at high z",
+     .handedness = "left",
+     .negateX = true,
+     .firstRowHigh = true},
+    {.preset = Preset::Godot, .name = "godot", .help = "as generic"},
 }};
 
 }  // namespace
 
-std::span<const PresetRules> presets() { return kPresets; }
+std::span<const PresetRules> presets() {
+  return kPresets;
+}
 
 const PresetRules& rulesOf(Preset preset) {
   for (const PresetRules& rules : kPresets) {
@@ -49,7 +62,8 @@ PresetBounds boundsIn(const PresetRules& rules, glm::vec2 minCorner, glm::vec2 s
 }
 
 glm::ivec2 cellOfPixel(const PresetRules& rules, glm::ivec2 pixel, glm::ivec2 resolution) {
-  return {rules.negateX ? resolution.x - 1 - pixel.x : pixel.x, rules.firstRowHigh ? resolution.y - 1 - pixel.y : pixel.y};
+  return {rules.negateX ? resolution.x - 1 - pixel.x : pixel.x,
+          rules.firstRowHigh ? resolution.y - 1 - pixel.y : pixel.y};
 }
 
 glm::vec2 velocityIn(const PresetRules& rules, glm::vec2 velocity) {

@@ -13,15 +13,15 @@ enum class Preset { Generic, Unreal, Unity, Godot };
 
 struct PresetRules {
   Preset preset = Preset::Generic;
-  std::string_view name;        ///< as on the command line
-  std::string_view help;
-  std::string_view handedness;  ///< "right" or "left"
-  std::string_view up;          ///< the axis that points up: "+Y", "+Z"
-  std::string_view axes[2];     ///< names there of our x and z
-  float unitsPerMetre = 1.0f;   ///< 100: centimetres
-  std::string_view lengthUnit, speedUnit;
-  bool negateX = false;         ///< world x and velocity x change sign, so image columns are reversed as well
-  bool firstRowHigh = false;    ///< row 0, the top of the file, is at the high end of z
+  std::string_view name = {};  ///< as on the command line
+  std::string_view help = {};
+  std::string_view handedness = "right";  ///< or "left"
+  std::string_view up = "+Y";             ///< the axis that points up
+  std::string_view axes[2] = {"x", "z"};  ///< names there of our x and z
+  float unitsPerMetre = 1.0f;             ///< 100: centimetres
+  std::string_view lengthUnit = "m", speedUnit = "m/s";
+  bool negateX = false;       ///< world x and velocity x change sign, so image columns are reversed as well
+  bool firstRowHigh = false;  ///< row 0, the top of the file, is at the high end of z
 };
 
 std::span<const PresetRules> presets();

@@ -15,7 +15,9 @@ long stepOfFrame(const RecordPlan& plan, int n, double timeStep) {
   return std::max(0L, static_cast<long>(std::ceil(steps - noise)));
 }
 
-int crossfadeFor(int frames) { return frames < 2 ? 0 : std::max(1, frames / 4); }
+int crossfadeFor(int frames) {
+  return frames < 2 ? 0 : std::max(1, frames / 4);
+}
 
 float seamWeight(const RecordPlan& plan, int n) {
   return n < plan.crossfade ? static_cast<float>(n) / static_cast<float>(plan.crossfade) : 1.0f;

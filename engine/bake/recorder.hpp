@@ -13,9 +13,9 @@ namespace windloom {
 
 /// Which moments are recorded.
 struct RecordPlan {
-  double from = 0;  ///< s: moment of frame 0
-  double fps = 30;  ///< frames a second
-  int frames = 1;   ///< how many are written
+  double from = 0;    ///< s: moment of frame 0
+  double fps = 30;    ///< frames a second
+  int frames = 1;     ///< how many are written
   int crossfade = 0;  ///< so many more are recorded and blended into the first ones, which makes a loop
 };
 

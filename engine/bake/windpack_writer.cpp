@@ -27,8 +27,9 @@ std::string headerBytes(const BakeHeader& header) {
   bytes.replace(0, 8, WINDPACK_MAGIC);
   put(bytes, WINDPACK_AT_VERSION, WINDPACK_VERSION);
   put(bytes, WINDPACK_AT_ENDIAN_MARK, WINDPACK_ENDIAN_MARK);
-  put(bytes, WINDPACK_AT_FLAGS, (header.loop ? WINDPACK_FLAG_LOOP : 0u) | (header.periodicX ? WINDPACK_FLAG_WRAP_X : 0u) |
-                                    (header.periodicZ ? WINDPACK_FLAG_WRAP_Z : 0u));
+  put(bytes, WINDPACK_AT_FLAGS,
+      (header.loop ? WINDPACK_FLAG_LOOP : 0u) | (header.periodicX ? WINDPACK_FLAG_WRAP_X : 0u) |
+          (header.periodicZ ? WINDPACK_FLAG_WRAP_Z : 0u));
   put(bytes, WINDPACK_AT_WIDTH, static_cast<std::uint32_t>(grid.resolution.x));
   put(bytes, WINDPACK_AT_HEIGHT, static_cast<std::uint32_t>(grid.resolution.y));
   put(bytes, WINDPACK_AT_FRAMES, static_cast<std::uint32_t>(header.frames));
@@ -65,7 +66,8 @@ class WindpackWriter final : public FrameWriter {
 
   Result<std::vector<BakedFile>> finish() override {
     const std::uint32_t checksum = m_checksum;
-    if (Status written = write({reinterpret_cast<const char*>(&checksum), sizeof checksum}); !written) return written.error();
+    if (Status written = write({reinterpret_cast<const char*>(&checksum), sizeof checksum}); !written)
+      return written.error();
     if (Status finished = m_file.finish(); !finished) return finished.error();
     return std::vector<BakedFile>{{kFileName, "field", "half"}};
   }
@@ -83,7 +85,8 @@ Result<std::unique_ptr<FrameWriter>> openWindpackWriter(const BakeHeader& header
   const std::uint64_t bytes = static_cast<std::uint64_t>(resolution.x) * static_cast<std::uint64_t>(resolution.y) *
                               static_cast<std::uint64_t>(header.frames) * WINDPACK_BYTES_PER_CELL;
   if (bytes > WINDPACK_MAX_DATA_BYTES || header.frames > static_cast<int>(WINDPACK_MAX_FRAMES)) {
-    return makeError(ErrorKind::BadInput, "a wind pack holds at most 16 GiB and 100,000 frames; bake fewer frames or a lower --resolution");
+    return makeError(ErrorKind::BadInput,
+                     "a wind pack holds at most 16 GiB and 100,000 frames; bake fewer frames or a lower --resolution");
   }
   Result<AtomicFile> file = AtomicFile::create(folder / kFileName);
   if (!file) return file.error();

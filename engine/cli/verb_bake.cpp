@@ -62,7 +62,8 @@ Result<RecordPlan> planOf(const Options& options, const Project& project) {
     frames = std::max(1.0, std::round(options.seconds.value_or(kDefaultSeconds) * plan.fps));
   }
   if (frames > kMaxBakeFrames) {
-    return makeError(ErrorKind::Usage, "that is " + fixed(frames, 0) + " frames, at most " + std::to_string(kMaxBakeFrames) +
+    return makeError(ErrorKind::Usage, "that is " + fixed(frames, 0) + " frames, at most " +
+                                           std::to_string(kMaxBakeFrames) +
                                            " can be baked; use less --seconds or --fps");
   }
   plan.frames = static_cast<int>(frames);
@@ -79,18 +80,20 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
     if (kind == nullptr) {
       return makeError(ErrorKind::Usage, "--format: found '" + name + "', expected of " + namesOf(writerKinds()));
     }
-    if (std::find(request.formats.begin(), request.formats.end(), kind) == request.formats.end()) request.formats.push_back(kind);
+    if (std::find(request.formats.begin(), request.formats.end(), kind) == request.formats.end())
+      request.formats.push_back(kind);
   }
   const std::optional<Preset> preset = presetNamed(options.preset);
   if (!preset) {
-    return makeError(ErrorKind::Usage, "--preset: found '" + options.preset + "', expected one of " + namesOf(presets()));
+    return makeError(ErrorKind::Usage,
+                     "--preset: found '" + options.preset + "', expected one of " + namesOf(presets()));
   }
   request.preset = *preset;
   if (!options.resolution.empty()) {
     request.resolution = parseResolution(options.resolution);
     if (!request.resolution) {
-      return makeError(ErrorKind::Usage, "--resolution: found '" + options.resolution + "', expected WxH in cells, 1 to " +
-                                             std::to_string(kMaxSide) + " a side");
+      return makeError(ErrorKind::Usage, "--resolution: found '" + options.resolution +
+                                             "', expected WxH in cells, 1 to " + std::to_string(kMaxSide) + " a side");
     }
   }
   if (options.speedRange) request.speedRange = static_cast<float>(*options.speedRange);
@@ -119,7 +122,8 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
   std::printf("%s: %zu files, %s MB: %d frames of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
               options.out.c_str(), report.files.size(), fixed(static_cast<double>(report.bytes) / 1e6, 1).c_str(),
               header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
-              fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend), fixed(wallSeconds, 1).c_str());
+              fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend),
+              fixed(wallSeconds, 1).c_str());
 }
 
 int runBake(const Options& options) {
@@ -134,7 +138,8 @@ int runBake(const Options& options) {
   if (!made) return reportError(made.error(), options);
   Simulation& simulation = **made;
   if (!options.initial.empty()) {
-    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded) return reportError(loaded.error(), options);
+    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded)
+      return reportError(loaded.error(), options);
   }
   noteInterrupts();
   Result<BakeReport> report = BakeReport{};
@@ -173,7 +178,9 @@ VerbAction makeBakeVerb(CLI::App& app) {
   auto* seconds = app.add_option("--seconds", options->seconds, "Length of the recording, s (default 2)")
                       ->type_name("S")
                       ->check(CLI::Range(1e-6, 1e6));
-  app.add_option("--fps", options->fps, "Frames a second (default 30)")->type_name("N")->check(CLI::Range(0.01, 10000.0));
+  app.add_option("--fps", options->fps, "Frames a second (default 30)")
+      ->type_name("N")
+      ->check(CLI::Range(0.01, 10000.0));
   app.add_option("--steps", options->steps,
                  "Count in solver steps: write the one field N steps after --from, or with --fps all frames up to it")
       ->type_name("N")
@@ -183,8 +190,9 @@ VerbAction makeBakeVerb(CLI::App& app) {
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
       ->type_name("WxH");
   app.add_flag("--loop", options->loop, "Blend the end into the start, so that the recording repeats without a jump");
-  app.add_option("--initial", options->initial,
-                 "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier bake's last frame")
+  app.add_option(
+         "--initial", options->initial,
+         "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier bake's last frame")
       ->type_name("FILE.npy");
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
@@ -194,9 +202,11 @@ VerbAction makeBakeVerb(CLI::App& app) {
       ->check(CLI::Range(1, 256));
   addCommonOptions(app, *options);
   std::string footer = "Formats, each listed with its checksum in manifest.json:\n";
-  for (const WriterKind& kind : writerKinds()) footer += "  " + std::string(kind.name) + ": " + std::string(kind.help) + "\n";
+  for (const WriterKind& kind : writerKinds())
+    footer += "  " + std::string(kind.name) + ": " + std::string(kind.help) + "\n";
   footer += "Presets:\n";
-  for (const PresetRules& rules : presets()) footer += "  " + std::string(rules.name) + ": " + std::string(rules.help) + "\n";
+  for (const PresetRules& rules : presets())
+    footer += "  " + std::string(rules.name) + ": " + std::string(rules.help) + "\n";
   app.footer(footer + "Ctrl+C ends a bake without leaving files.");
   return [options] { return runBake(*options); };
 }

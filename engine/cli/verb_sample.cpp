@@ -37,8 +37,8 @@ std::optional<glm::vec2> parsePosition(const std::string& text) {
 Error outsideError(const Options& options, const Place& place, const FieldSettings& field) {
   const glm::vec2 low = field.centre - field.size * 0.5f, high = field.centre + field.size * 0.5f;
   return makeError(ErrorKind::BadInput, options.file, {},
-                   place.name + " lies outside the field, which goes from x " + shortest(low.x) + " to " + shortest(high.x) +
-                       " and z " + shortest(low.y) + " to " + shortest(high.y));
+                   place.name + " lies outside the field, which goes from x " + shortest(low.x) + " to " +
+                       shortest(high.x) + " and z " + shortest(low.y) + " to " + shortest(high.y));
 }
 
 /// The places asked for, or the project's probes.
@@ -64,7 +64,8 @@ Result<std::vector<Place>> placesOf(const Options& options, const Project& proje
 
 /// Degrees from +X towards +Z in which the air goes; 0 for still air.
 double directionOf(glm::vec2 velocity) {
-  const double degrees = std::atan2(static_cast<double>(velocity.y), static_cast<double>(velocity.x)) * 180.0 / std::numbers::pi;
+  const double degrees =
+      std::atan2(static_cast<double>(velocity.y), static_cast<double>(velocity.x)) * 180.0 / std::numbers::pi;
   return degrees < 0 ? degrees + 360.0 : degrees;
 }
 
@@ -126,7 +127,8 @@ int sample(const Options& options) {
   if (!made) return reportError(made.error(), options);
   Simulation& simulation = **made;
   if (!options.initial.empty()) {
-    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded) return reportError(loaded.error(), options);
+    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded)
+      return reportError(loaded.error(), options);
   }
   noteInterrupts();
   Progress progress;

@@ -32,6 +32,8 @@ Result<std::unique_ptr<Simulation>> makeSimulation(const Project& project, Backe
   return Simulation::create(project, options);
 }
 
-const char* backendName(Backend backend) { return backend == Backend::Gpu ? "gpu" : "cpu"; }
+const char* backendName(Backend backend) {
+  return backend == Backend::Gpu ? "gpu" : "cpu";
+}
 
 }  // namespace windloom::cli

@@ -96,7 +96,8 @@ bool readRows(Reader& reader, Trouble& trouble, png_bytepp rows) {
 template <class Sample>
 std::vector<png_bytep> rowPointers(BasicImage<Sample>& image) {
   std::vector<png_bytep> rows(static_cast<std::size_t>(image.height));
-  for (int y = 0; y < image.height; ++y) rows[static_cast<std::size_t>(y)] = reinterpret_cast<png_bytep>(image.at(0, y));
+  for (int y = 0; y < image.height; ++y)
+    rows[static_cast<std::size_t>(y)] = reinterpret_cast<png_bytep>(image.at(0, y));
   return rows;
 }
 
@@ -120,11 +121,13 @@ Result<BasicImage<Sample>> readAs(const fs::path& path) {
   }
   const std::int64_t pixels = static_cast<std::int64_t>(layout.width) * layout.height;
   if (pixels > kMaxImagePixels) {
-    return refuse("has " + std::to_string(pixels) + " pixels, at most " + std::to_string(kMaxImagePixels) + " can be read");
+    return refuse("has " + std::to_string(pixels) + " pixels, at most " + std::to_string(kMaxImagePixels) +
+                  " can be read");
   }
   // Deflate can't shrink more than about 1032 times and the smallest pixel has one bit: a short file
   // that claims to be huge is refused before its memory is taken.
-  if (pixels / 8 > static_cast<std::int64_t>(bytes->size()) * 1100) return refuse("is a damaged PNG file: it is cut short");
+  if (pixels / 8 > static_cast<std::int64_t>(bytes->size()) * 1100)
+    return refuse("is a damaged PNG file: it is cut short");
   BasicImage<Sample> image(static_cast<int>(layout.width), static_cast<int>(layout.height), layout.channels);
   std::vector<png_bytep> rows = rowPointers(image);
   if (!readRows(reader, trouble, rows.data())) return refuse(std::string("is a damaged PNG file: ") + trouble.message);
@@ -171,16 +174,25 @@ Status writeAs(const fs::path& path, const BasicImage<Sample>& image) {
   std::vector<png_bytep> rows = rowPointers(const_cast<BasicImage<Sample>&>(image));
   const Layout layout{static_cast<png_uint_32>(image.width), static_cast<png_uint_32>(image.height), image.channels};
   if (!writeAll(writer, trouble, bytes, layout, static_cast<int>(sizeof(Sample)) * 8, rows.data())) {
-    return makeError(ErrorKind::Machine, path.string(), {}, std::string("can't encode the picture: ") + trouble.message);
+    return makeError(ErrorKind::Machine, path.string(), {},
+                     std::string("can't encode the picture: ") + trouble.message);
   }
   return writeFileAtomically(path, bytes);
 }
 
 }  // namespace
 
-Result<Image> readPng(const fs::path& path) { return readAs<std::uint8_t>(path); }
-Result<Image16> readPng16(const fs::path& path) { return readAs<std::uint16_t>(path); }
-Status writePng(const fs::path& path, const Image& image) { return writeAs(path, image); }
-Status writePng(const fs::path& path, const Image16& image) { return writeAs(path, image); }
+Result<Image> readPng(const fs::path& path) {
+  return readAs<std::uint8_t>(path);
+}
+Result<Image16> readPng16(const fs::path& path) {
+  return readAs<std::uint16_t>(path);
+}
+Status writePng(const fs::path& path, const Image& image) {
+  return writeAs(path, image);
+}
+Status writePng(const fs::path& path, const Image16& image) {
+  return writeAs(path, image);
+}
 
 }  // namespace windloom

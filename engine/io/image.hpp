@@ -19,7 +19,9 @@ struct BasicImage {
   BasicImage() = default;
   /// All samples zero.
   BasicImage(int w, int h, int c)
-      : width(w), height(h), channels(c),
+      : width(w),
+        height(h),
+        channels(c),
         pixels(static_cast<std::size_t>(w) * static_cast<std::size_t>(h) * static_cast<std::size_t>(c)) {}
 
   /// First component of the pixel in column x of row y, which must be inside.
@@ -36,7 +38,7 @@ struct BasicImage {
 using Image = BasicImage<std::uint8_t>;
 using Image16 = BasicImage<std::uint16_t>;
 
-inline constexpr int kMaxImageSide = 32768;                ///< pixels
+inline constexpr int kMaxImageSide = 32768;               ///< pixels
 inline constexpr std::int64_t kMaxImagePixels = 1 << 27;  ///< 512 MB of 8-bit RGBA
 
 /// Any PNG file, as gray, RGB or RGBA: palettes and gray with alpha are expanded, samples are brought to

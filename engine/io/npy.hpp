@@ -23,7 +23,8 @@ struct NpyArray {
 Result<NpyArray> readNpy(const std::filesystem::path& path, std::uint64_t limitBytes = 1ull << 30);
 
 /// Writes version 1 atomically. `values` must have as many elements as `shape` says. Fails with Machine.
-Status writeNpy(const std::filesystem::path& path, const std::vector<std::size_t>& shape, std::span<const float> values);
+Status writeNpy(const std::filesystem::path& path, const std::vector<std::size_t>& shape,
+                std::span<const float> values);
 
 /// Writes a large array piece by piece; the file appears when finish() succeeds.
 class NpyStream {

@@ -12,7 +12,7 @@
 struct windloom_pack {
   windloom_info info;
   float cells_per_m_x, cells_per_m_z;
-  uint32_t* cells;  /* vx in the low half, vz in the high half; z ascending, frame after frame */
+  uint32_t* cells; /* vx in the low half, vz in the high half; z ascending, frame after frame */
 };
 
 /* Bytes to numbers, on a machine of any byte order. */
@@ -21,7 +21,9 @@ static uint32_t read_u32(const unsigned char* at) {
   return (uint32_t)at[0] | (uint32_t)at[1] << 8 | (uint32_t)at[2] << 16 | (uint32_t)at[3] << 24;
 }
 
-static uint64_t read_u64(const unsigned char* at) { return read_u32(at) | (uint64_t)read_u32(at + 4) << 32; }
+static uint64_t read_u64(const unsigned char* at) {
+  return read_u32(at) | (uint64_t)read_u32(at + 4) << 32;
+}
 
 static float read_f32(const unsigned char* at) {
   const uint32_t bits = read_u32(at);
@@ -64,7 +66,8 @@ static windloom_status parse_header(const unsigned char* bytes, windloom_info* i
   const uint32_t height = read_u32(bytes + WINDPACK_AT_HEIGHT);
   const uint32_t frames = read_u32(bytes + WINDPACK_AT_FRAMES);
   if (width == 0 || height == 0 || frames == 0) return WINDLOOM_DAMAGED;
-  if (width > WINDPACK_MAX_SIDE || height > WINDPACK_MAX_SIDE || frames > WINDPACK_MAX_FRAMES) return WINDLOOM_TOO_LARGE;
+  if (width > WINDPACK_MAX_SIDE || height > WINDPACK_MAX_SIDE || frames > WINDPACK_MAX_FRAMES)
+    return WINDLOOM_TOO_LARGE;
   *cells = (uint64_t)width * height * frames;
   if (*cells * WINDPACK_BYTES_PER_CELL > WINDPACK_MAX_DATA_BYTES) return WINDLOOM_TOO_LARGE;
   if (*cells * WINDPACK_BYTES_PER_CELL > SIZE_MAX / 2) return WINDLOOM_TOO_LARGE;
@@ -100,7 +103,8 @@ static windloom_pack* make_pack(const windloom_info* info, uint64_t cells) {
 }
 
 /* Checks the values, which still lie in the file's byte order in `pack->cells`, and turns them over. */
-static windloom_status adopt_cells(windloom_pack* pack, uint64_t cells, const unsigned char* header, uint32_t checksum) {
+static windloom_status adopt_cells(windloom_pack* pack, uint64_t cells, const unsigned char* header,
+                                   uint32_t checksum) {
   uint32_t found = windloom_checksum(0, header, WINDPACK_HEADER_BYTES);
   found = windloom_checksum(found, pack->cells, (size_t)cells * sizeof *pack->cells);
   if (found != checksum) return WINDLOOM_DAMAGED;
@@ -114,7 +118,8 @@ static windloom_status adopt_cells(windloom_pack* pack, uint64_t cells, const un
 }
 
 /* A pack whose cells are still to be filled, from the header and the size of the whole file. */
-static windloom_status begin_pack(const unsigned char* header, uint64_t file_bytes, windloom_pack** pack, uint64_t* cells) {
+static windloom_status begin_pack(const unsigned char* header, uint64_t file_bytes, windloom_pack** pack,
+                                  uint64_t* cells) {
   windloom_info info = {0};
   const windloom_status status = parse_header(header, &info, cells);
   if (status != WINDLOOM_OK) return status;
@@ -197,19 +202,29 @@ void windloom_free(windloom_pack* pack) {
 
 const char* windloom_status_text(windloom_status status) {
   switch (status) {
-    case WINDLOOM_OK: return "The wind pack is loaded.";
-    case WINDLOOM_CANNOT_READ: return "The file can't be read.";
-    case WINDLOOM_NOT_A_PACK: return "The file is not a wind pack.";
-    case WINDLOOM_NEWER_VERSION: return "The wind pack was written by a newer version of Windloom.";
-    case WINDLOOM_TOO_LARGE: return "The wind pack claims to be larger than any may be.";
-    case WINDLOOM_CUT_SHORT: return "The wind pack has another length than its header says.";
-    case WINDLOOM_DAMAGED: return "The wind pack is damaged.";
-    case WINDLOOM_OUT_OF_MEMORY: return "There is not enough memory for the wind pack.";
+    case WINDLOOM_OK:
+      return "The wind pack is loaded.";
+    case WINDLOOM_CANNOT_READ:
+      return "The file can't be read.";
+    case WINDLOOM_NOT_A_PACK:
+      return "The file is not a wind pack.";
+    case WINDLOOM_NEWER_VERSION:
+      return "The wind pack was written by a newer version of Windloom.";
+    case WINDLOOM_TOO_LARGE:
+      return "The wind pack claims to be larger than any may be.";
+    case WINDLOOM_CUT_SHORT:
+      return "The wind pack has another length than its header says.";
+    case WINDLOOM_DAMAGED:
+      return "The wind pack is damaged.";
+    case WINDLOOM_OUT_OF_MEMORY:
+      return "There is not enough memory for the wind pack.";
   }
   return "Unknown status.";
 }
 
-windloom_info windloom_get_info(const windloom_pack* pack) { return pack->info; }
+windloom_info windloom_get_info(const windloom_pack* pack) {
+  return pack->info;
+}
 
 void windloom_set_edges(windloom_pack* pack, windloom_edge x, windloom_edge z) {
   pack->info.edge_x = x;
@@ -281,7 +296,8 @@ static inline float weighted_sum(const uint32_t halves[8], const float weights[8
   return ((values[0] + values[4]) + (values[1] + values[5])) + ((values[2] + values[6]) + (values[3] + values[7]));
 }
 
-static inline void sample_between(const windloom_pack* pack, const neighbours* t, float px, float pz, float velocity[2]) {
+static inline void sample_between(const windloom_pack* pack, const neighbours* t, float px, float pz,
+                                  float velocity[2]) {
   const windloom_info* info = &pack->info;
   px = isfinite(px) ? px : 0.0f;
   pz = isfinite(pz) ? pz : 0.0f;

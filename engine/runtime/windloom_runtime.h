@@ -33,14 +33,14 @@ typedef enum windloom_edge {
 } windloom_edge;
 
 typedef struct windloom_info {
-  int width, height;          /* cells along x and z */
-  int frames;                 /* >= 1 */
-  float min_x, min_z;         /* m, low corner of the field */
-  float max_x, max_z;         /* m, high corner */
-  float fps;                  /* frames a second, > 0 */
-  float max_speed;            /* m/s, no sample is faster */
-  double start;               /* s: time of frame 0 in the project it was baked from */
-  int loop;                   /* 1: the last frame is followed by the first */
+  int width, height;  /* cells along x and z */
+  int frames;         /* >= 1 */
+  float min_x, min_z; /* m, low corner of the field */
+  float max_x, max_z; /* m, high corner */
+  float fps;          /* frames a second, > 0 */
+  float max_speed;    /* m/s, no sample is faster */
+  double start;       /* s: time of frame 0 in the project it was baked from */
+  int loop;           /* 1: the last frame is followed by the first */
   windloom_edge edge_x, edge_z;
 } windloom_info;
 

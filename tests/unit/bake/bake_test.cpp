@@ -59,7 +59,9 @@ BakeReport mustBake(const Project& project, const BakeRequest& request) {
   return *report;
 }
 
-NpyArray readWind(const fs::path& folder) { return readNpy(folder / "wind.npy").value(); }
+NpyArray readWind(const fs::path& folder) {
+  return readNpy(folder / "wind.npy").value();
+}
 
 nlohmann::json readManifest(const fs::path& folder) {
   return nlohmann::json::parse(readFile(folder / "manifest.json").value());
@@ -111,7 +113,8 @@ TEST(Bake, ALoopBlendsTheFramesBehindItsEndIntoItsStart) {
 
 TEST(Bake, WritesAllFormatsAndAManifestThatNamesThem) {
   const TemporaryFolder folder;
-  const BakeReport report = mustBake(smallProject(), requestFor(folder.path() / "deep" / "er", {"npy", "png", "windpack"}, {0, 10, 3, 0}));
+  const BakeReport report =
+      mustBake(smallProject(), requestFor(folder.path() / "deep" / "er", {"npy", "png", "windpack"}, {0, 10, 3, 0}));
   const fs::path out = folder.path() / "deep" / "er";
   const nlohmann::json manifest = readManifest(out);
   EXPECT_EQ(manifest["format"], "windpack");
@@ -205,7 +208,8 @@ TEST(Bake, RemovesWhatOnlyTheOlderBakeHad) {
 TEST(Bake, SaysWhereItCannotWrite) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writeFileAtomically(folder.path() / "taken", "a file"));
-  const Result<BakeReport> report = bake(*simulate(smallProject()), requestFor(folder.path() / "taken", {"npy"}, {0, 10, 1, 0}), {});
+  const Result<BakeReport> report =
+      bake(*simulate(smallProject()), requestFor(folder.path() / "taken", {"npy"}, {0, 10, 1, 0}), {});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().kind, ErrorKind::Machine);
   EXPECT_NE(report.error().text().find("taken"), std::string::npos);

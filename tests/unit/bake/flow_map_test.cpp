@@ -24,7 +24,9 @@ Image flowMapOf(const std::vector<glm::vec2>& field, Preset preset) {
   return readPng(folder.path() / "flow.0000.png").value();
 }
 
-std::vector<glm::vec2> constant(glm::vec2 velocity) { return std::vector<glm::vec2>(24, velocity); }
+std::vector<glm::vec2> constant(glm::vec2 velocity) {
+  return std::vector<glm::vec2>(24, velocity);
+}
 
 std::vector<int> pixel(const Image& image, int x, int y) {
   const std::uint8_t* p = image.at(x, y);

@@ -15,11 +15,13 @@ TEST(RecordPlan, TakesTheFirstStepAtOrAfterAFramesTime) {
 }
 
 TEST(RecordPlan, ATimeStepRoundedToAFloatMovesNoFrame) {
-  for (const float timeStep : {1.0f / 60.0f, 1.0f / 50.0f, 0.016666667f, std::nextafter(1.0f / 60.0f, 0.0f), 1.0f / 90.0f}) {
+  for (const float timeStep :
+       {1.0f / 60.0f, 1.0f / 50.0f, 0.016666667f, std::nextafter(1.0f / 60.0f, 0.0f), 1.0f / 90.0f}) {
     const double rate = std::round(1.0 / static_cast<double>(timeStep));
     const RecordPlan plan{2.0, rate / 2.0, 1, 0};
     for (const int n : {0, 1, 2, 599, 1000, 50000}) {
-      EXPECT_EQ(stepOfFrame(plan, n, static_cast<double>(timeStep)), static_cast<long>(2 * rate) + 2 * n) << timeStep << " " << n;
+      EXPECT_EQ(stepOfFrame(plan, n, static_cast<double>(timeStep)), static_cast<long>(2 * rate) + 2 * n)
+          << timeStep << " " << n;
     }
   }
 }

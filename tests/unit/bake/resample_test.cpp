@@ -8,7 +8,9 @@ namespace {
 std::vector<glm::vec2> noise(glm::ivec2 resolution) {
   std::vector<glm::vec2> field(static_cast<std::size_t>(resolution.x * resolution.y));
   unsigned state = 7;
-  const auto next = [&] { return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f - 0.25f; };
+  const auto next = [&] {
+    return static_cast<float>((state = state * 1664525u + 1013904223u) >> 8) / 16777216.0f - 0.25f;
+  };
   for (glm::vec2& v : field) v = {next(), 10.0f * next()};
   return field;
 }
@@ -38,8 +40,7 @@ TEST(Resampler, KeepsTheMeanWhenCellsMerge) {
 }
 
 TEST(Resampler, AveragesWholeCells) {
-  const std::vector<glm::vec2> field = {{1, 0}, {3, 0}, {5, 1}, {7, 1},
-                                        {1, 2}, {3, 2}, {5, 5}, {7, 5}};
+  const std::vector<glm::vec2> field = {{1, 0}, {3, 0}, {5, 1}, {7, 1}, {1, 2}, {3, 2}, {5, 5}, {7, 5}};
   const std::vector<glm::vec2> out = resampled(field, {4, 2}, {2, 1});
   ASSERT_EQ(out.size(), 2u);
   EXPECT_EQ(out[0], glm::vec2(2, 1));

@@ -87,8 +87,8 @@ TEST_F(ImageFile, RefusesAFlippedByteInTheData) {
 
 TEST_F(ImageFile, RefusesASmallFileThatClaimsToBeHuge) {
   // 10000 x 10000 RGBA with a right checksum of the header and next to no data.
-  const unsigned char header[] = {0x89, 'P', 'N', 'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13,   'I',  'H',  'D',  'R', 0,
-                                  0,    0x27, 0x10, 0, 0, 0x27, 0x10, 8, 6, 0, 0, 0, 0xba, 0x4e, 0x62, 0x27};
+  const unsigned char header[] = {0x89, 'P',  'N',  'G', '\r', '\n', 0x1a, '\n', 0, 0, 0, 13, 'I',  'H',  'D',  'R', 0,
+                                  0,    0x27, 0x10, 0,   0,    0x27, 0x10, 8,    6, 0, 0, 0,  0xba, 0x4e, 0x62, 0x27};
   std::string bytes(reinterpret_cast<const char*>(header), sizeof header);
   bytes.append("\0\0\0\x0aIDAT", 8).append(10, '\0').append(4, '\0');
   EXPECT_NE(refusal(bytes).find("damaged PNG"), std::string::npos);

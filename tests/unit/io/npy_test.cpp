@@ -37,7 +37,8 @@ std::string numpyFile(const std::string& dictionary, std::string_view data, char
 }
 
 TEST_F(Npy, KeepsShapeAndValues) {
-  for (const std::vector<std::size_t>& shape : std::vector<std::vector<std::size_t>>{{}, {3}, {2, 3}, {2, 1, 4, 2}, {0, 5}}) {
+  for (const std::vector<std::size_t>& shape :
+       std::vector<std::vector<std::size_t>>{{}, {3}, {2, 3}, {2, 1, 4, 2}, {0, 5}}) {
     std::size_t count = 1;
     for (const std::size_t extent : shape) count *= extent;
     std::vector<float> values(count);
@@ -62,7 +63,8 @@ TEST_F(Npy, WritesTheHeaderNumPyWrites) {
 TEST_F(Npy, ReadsAllHeaderVersionsAndSpacings) {
   const std::string one("\x00\x00\x80\x3f", 4);
   for (const char version : {char{1}, char{2}, char{3}}) {
-    EXPECT_EQ(refusal(numpyFile("{\"shape\":(1 ,), 'fortran_order' : False,'descr':'<f4'}\n", one, version)), "accepted");
+    EXPECT_EQ(refusal(numpyFile("{\"shape\":(1 ,), 'fortran_order' : False,'descr':'<f4'}\n", one, version)),
+              "accepted");
   }
 }
 
@@ -72,14 +74,16 @@ TEST_F(Npy, RefusesOtherTypesAndSaysWhich) {
             std::string::npos);
   EXPECT_NE(refusal(numpyFile("{'descr': '>f4', 'fortran_order': False, 'shape': (2,), }\n", eight)).find("'>f4'"),
             std::string::npos);
-  EXPECT_NE(refusal(numpyFile("{'descr': [('a', '<f4')], 'fortran_order': False, 'shape': (2,), }\n", eight)).find("record"),
-            std::string::npos);
+  EXPECT_NE(
+      refusal(numpyFile("{'descr': [('a', '<f4')], 'fortran_order': False, 'shape': (2,), }\n", eight)).find("record"),
+      std::string::npos);
   EXPECT_NE(refusal(numpyFile("{'descr': '<f4', 'fortran_order': True, 'shape': (1, 2), }\n", eight)).find("Fortran"),
             std::string::npos);
 }
 
 TEST_F(Npy, RefusesDamage) {
-  const std::string good = numpyFile("{'descr': '<f4', 'fortran_order': False, 'shape': (2,), }\n", std::string(8, '\0'));
+  const std::string good =
+      numpyFile("{'descr': '<f4', 'fortran_order': False, 'shape': (2,), }\n", std::string(8, '\0'));
   EXPECT_EQ(refusal(good), "accepted");
   for (std::size_t length = 0; length < good.size(); ++length) {
     EXPECT_NE(refusal(std::string_view(good).substr(0, length)), "accepted") << length;

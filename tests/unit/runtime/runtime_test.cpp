@@ -46,7 +46,8 @@ struct PackBytes {
 };
 
 // Halves of small whole numbers: sign, 5 bits of exponent with bias 15, 10 bits of fraction.
-constexpr std::uint16_t kZero = 0x0000, kOne = 0x3c00, kTwo = 0x4000, kFour = 0x4400, kEight = 0x4800, kMinusOne = 0xbc00;
+constexpr std::uint16_t kZero = 0x0000, kOne = 0x3c00, kTwo = 0x4000, kFour = 0x4400, kEight = 0x4800,
+                        kMinusOne = 0xbc00;
 
 PackBytes twoByTwo() {
   PackBytes pack;
@@ -55,7 +56,9 @@ PackBytes twoByTwo() {
   return pack;
 }
 
-WindPack load(const std::string& bytes) { return WindPack::load(bytes.data(), bytes.size()); }
+WindPack load(const std::string& bytes) {
+  return WindPack::load(bytes.data(), bytes.size());
+}
 
 windloom_status statusOf(const std::function<void(PackBytes&)>& change) {
   PackBytes pack = twoByTwo();

@@ -1,0 +1,101 @@
+"""`windloom bake` when things go wrong: no torn files, a message, the right exit status."""
+import json
+import resource
+import signal
+import subprocess
+import time
+
+import numpy
+
+import harness
+from harness import SAMPLE_PACK, WINDLOOM
+
+
+def disk_holds(kilobytes):
+    """For a child: files longer than this can't be written, as on a disk that is full."""
+    def limit():
+        signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+        resource.setrlimit(resource.RLIMIT_FSIZE, (kilobytes * 1024, kilobytes * 1024))
+    return limit
+
+
+class BakeTrouble(harness.Case):
+    def test_ctrl_c_leaves_nothing_and_an_older_bake_alone(self):
+        out = self.bake("--seconds", 0.2, "--fps", 10, formats="npy,png")
+        before = {path.name: harness.sha256(path) for path in out.iterdir()}
+        command = [WINDLOOM, "bake", self.project, "--backend", "cpu", "--out", out, "--format", "npy,png"]
+        child = subprocess.Popen([*command, "--seconds", "2000", "--fps", "5"], stderr=subprocess.PIPE, text=True)
+        self.addCleanup(child.kill)
+        give_up = time.monotonic() + 60
+        while not any(path.name.startswith(".bake") for path in out.iterdir()):
+            self.assertLess(time.monotonic(), give_up, "the bake never began")
+            time.sleep(0.05)
+        child.send_signal(signal.SIGINT)
+        self.assertIn("cancelled", child.communicate(timeout=60)[1])
+        self.assertEqual(child.returncode, 130)
+        self.assertEqual({path.name: harness.sha256(path) for path in out.iterdir()}, before)
+
+    def test_a_full_disk_is_said_and_leaves_nothing(self):
+        for formats in ("npy", "windpack", "npy,png"):
+            with self.subTest(formats=formats):
+                out = self.folder / formats
+                done = self.call("bake", self.project, "--backend", "cpu", "--out", out, "--format", formats,
+                                 "--seconds", 0.5, "--json", status=3, preexec_fn=disk_holds(16))
+                self.assertIn("can't write", done.stderr)
+                self.assertFalse(json.loads(done.stdout)["ok"])
+                self.assertEqual(list(out.iterdir()), [])
+
+    def test_a_folder_that_cannot_be_made_is_said(self):
+        below = self.project / "below"
+        done = self.call("bake", self.project, "--out", below, "--format", "npy", "--backend", "cpu", status=3)
+        self.assertIn("below", done.stderr)
+
+    def test_wrong_usage_names_what_was_expected(self):
+        out = ("--out", self.folder / "out")
+        for args, expected in (
+                (("--format", "gif"), "npy, png, windpack"),
+                (("--format", "npy", "--preset", "cryengine"), "generic, unreal, unity, godot"),
+                (("--format", "npy", "--resolution", "12"), "WxH"),
+                (("--format", "npy", "--resolution", "0x5"), "WxH"),
+                (("--format", "npy", "--resolution", "9000x5"), "8192"),
+                (("--format", "npy", "--seconds", "1e6"), "100000"),
+                (("--format", "npy", "--seconds", "-1"), "--seconds"),
+                (("--format", "npy", "--fps", "0"), "--fps"),
+                (("--format", "npy", "--seconds", "1", "--steps", "3"), "--steps"),
+                ((), "--format")):
+            with self.subTest(args=args):
+                done = self.call("bake", self.project, *out, *args, status=2)
+                self.assertIn(expected, done.stderr)
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_a_broken_project_is_refused_with_its_place(self):
+        project = json.loads(self.project.read_text())
+        project["graph"]["arrows"][1]["to"] = 99
+        self.project.write_text(json.dumps(project))
+        done = self.call("bake", self.project, "--out", self.folder / "out", "--format", "npy", status=1)
+        self.assertIn("/graph/arrows/1/to", done.stderr)
+        self.call("bake", self.folder / "none.wind.json", "--out", self.folder / "out", "--format", "npy", status=1)
+
+    def test_steps_count_the_solvers_steps_and_a_bake_can_be_continued(self):
+        whole = numpy.load(self.bake("--from", 0.25, "--seconds", 0.01, out="whole") / "wind.npy")
+        steps = numpy.load(self.bake("--steps", 15, out="steps") / "wind.npy")
+        self.assertEqual(steps.shape, (1, 30, 48, 2))
+        numpy.testing.assert_array_equal(steps, whole)
+        self.assertEqual(numpy.load(self.bake("--steps", 12, "--fps", 30, out="many") / "wind.npy").shape[0], 7)
+        out = self.bake("--steps", 0, "--initial", self.folder / "steps" / "wind.npy", out="continued")
+        continued = numpy.load(out / "wind.npy")
+        numpy.testing.assert_allclose(continued, steps, atol=0.2 * numpy.abs(steps).max())
+
+    def test_the_c_library_refuses_a_damaged_pack(self):
+        out = self.bake("--seconds", 0.1, formats="windpack")
+        pack = out / "wind.windpack"
+        raw = pack.read_bytes()
+        for damaged, message in ((raw[:200], "another length"), (b"x" + raw[1:], "not a wind pack"),
+                                 (raw[:500] + bytes([raw[500] ^ 1]) + raw[501:], "damaged"), (b"", "not a wind pack")):
+            pack.write_bytes(damaged)
+            done = subprocess.run([SAMPLE_PACK, pack], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(message, done.stderr)
+
+
+harness.main()
