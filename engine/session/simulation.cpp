@@ -83,6 +83,35 @@ Status Simulation::setProject(const Project& project) {
   return Done{};
 }
 
+Status Simulation::setResolution(std::optional<glm::ivec2> resolution) {
+  if (resolution.value_or(m_project.field->resolution) == m_solver->grid().resolution) {
+    m_options.resolution = resolution;
+    return Done{};
+  }
+  const std::vector<glm::vec2> air = velocity();
+  const GridMapping before = m_solver->grid();
+  const SimulationOptions options = m_options;
+  const double seconds = m_seconds;
+  const long steps = m_steps;
+  m_options.resolution = resolution;
+  if (Status built = build(m_project); !built) {
+    m_options = options;
+    return built;
+  }
+  m_seconds = seconds;
+  m_steps = steps;
+  m_cellsFresh = false;
+  const GridMapping& grid = m_solver->grid();
+  std::vector<glm::vec2> cells;
+  cells.reserve(static_cast<std::size_t>(grid.resolution.x) * static_cast<std::size_t>(grid.resolution.y));
+  for (int k = 0; k < grid.resolution.y; ++k) {
+    for (int i = 0; i < grid.resolution.x; ++i) {
+      cells.push_back(sampleCells(air, before, cellCentreToWorld({i, k}, grid.minCorner, grid.cellSize)));
+    }
+  }
+  return m_solver->setVelocity(cells);
+}
+
 Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells) {
   const glm::ivec2 expected = m_solver->grid().resolution;
   if (resolution != expected) {

@@ -31,6 +31,10 @@ class Simulation {
   /// failure the last project stays.
   Status setProject(const Project& project);
 
+  /// Continues at another resolution (none: the project's): time stays and the air is resampled. On failure
+  /// nothing changes.
+  Status setResolution(std::optional<glm::ivec2> resolution);
+
   /// Starts from a given field instead (see WindSolver::setVelocity), now and after each restart. Refused
   /// (BadInput) where the resolution isn't the simulation's.
   Status setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells);

@@ -1,0 +1,242 @@
+#include "engine/session/session.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+
+#include "engine/core/log.hpp"
+#include "engine/gpu/texture.hpp"
+#include "engine/session/live_grid.hpp"
+#include "engine/session/wind_readout.hpp"
+
+namespace windloom {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+// Wall time the steps of one advance() may take: half of the frame, within these bounds.
+constexpr double kLeastBudgetMs = 6.0, kMostBudgetMs = 40.0;
+
+double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+
+/// The median of the last few values.
+class RecentMedian {
+ public:
+  void add(double value) { m_values[m_count++ % m_values.size()] = value; }
+  [[nodiscard]] double value() const {
+    std::array<double, 15> sorted = m_values;
+    const std::size_t count = std::min(m_count, sorted.size());
+    if (count == 0) return 0.0;
+    std::nth_element(sorted.begin(), sorted.begin() + count / 2, sorted.begin() + count);
+    return sorted[count / 2];
+  }
+  void clear() { m_count = 0; }
+
+ private:
+  std::array<double, 15> m_values{};
+  std::size_t m_count = 0;
+};
+
+class SessionImpl final : public Session {
+ public:
+  SessionImpl(const SessionOptions& options, std::unique_ptr<FrameRenderer> renderer, WindReadout readout)
+      : m_options(options), m_renderer(std::move(renderer)), m_readout(std::move(readout)) {}
+
+  Status start(const Project& project);
+  Status setProject(const Project& project) override;
+  Status setLiveGrid(LiveGrid choice) override;
+
+  void play() override { m_playing = true; }
+  void pause() override { m_playing = false; }
+  [[nodiscard]] bool playing() const override { return m_playing; }
+  void stepOnce() override { step(); }
+  void restart() override;
+  [[nodiscard]] double time() const override { return m_simulation->time(); }
+  void advance(double wallSeconds) override;
+  void runTo(double seconds) override;
+  void draw(const View& view) override;
+  glm::vec2 windAt(glm::vec2 world) override;
+  [[nodiscard]] const SessionStatus& status() override;
+
+ private:
+  [[nodiscard]] bool onCpu() { return m_simulation->solver().backend() == Backend::Cpu; }
+  [[nodiscard]] bool coarse() { return onCpu() && m_liveGrid == LiveGrid::Automatic; }
+  Status fitGrid();
+  void step();
+  WindTexture windTexture();
+  bool uploadWind();
+
+  SessionOptions m_options;
+  std::unique_ptr<FrameRenderer> m_renderer;
+  WindReadout m_readout;
+  std::unique_ptr<Simulation> m_simulation;
+  std::optional<LiveGridControl> m_grid;  // where the live grid may be coarser
+  LiveGrid m_liveGrid = LiveGrid::Automatic;
+  gpu::Texture m_windCopy;  // of the CPU backend's field
+  long m_copiedStep = -1;
+  bool m_playing = false, m_uploadFailed = false;
+  double m_owedSeconds = 0;  // of simulated time
+  RecentMedian m_stepMs;
+  SessionStatus m_status;
+};
+
+Status SessionImpl::start(const Project& project) {
+  SimulationOptions options;
+  options.backend = m_options.backend;
+  options.context = m_options.context;
+  options.shaders = m_options.shaders;
+  m_liveGrid = m_options.liveGrid;
+  // Which backend runs is known once there is one; until then the grid is small, since making a full one and
+  // throwing it away would cost the editor's start.
+  if (m_liveGrid == LiveGrid::Automatic) options.resolution = LiveGridControl(*project.field).resolution();
+  Result<std::unique_ptr<Simulation>> simulation = Simulation::create(project, options);
+  if (!simulation) return simulation.error();
+  m_simulation = std::move(*simulation);
+  return fitGrid();
+}
+
+/// Brings the live grid to what backend and choice ask for.
+Status SessionImpl::fitGrid() {
+  m_stepMs.clear();
+  m_copiedStep = -1;
+  m_grid.reset();
+  if (!coarse()) return m_simulation->setResolution(std::nullopt);
+  m_grid.emplace(*m_simulation->project().field);
+  return m_simulation->setResolution(m_grid->resolution());
+}
+
+Status SessionImpl::setProject(const Project& project) {
+  const Shared<FieldSettings> field = m_simulation->project().field;
+  const Shared<SolverSettings> solver = m_simulation->project().solver;
+  if (Status set = m_simulation->setProject(project); !set) return set;
+  m_copiedStep = -1;
+  if (field != project.field || solver->backend != project.solver->backend) return fitGrid();
+  return Done{};
+}
+
+Status SessionImpl::setLiveGrid(LiveGrid choice) {
+  if (choice == m_liveGrid) return Done{};
+  m_liveGrid = choice;
+  return fitGrid();
+}
+
+void SessionImpl::restart() {
+  m_simulation->restart();
+  m_owedSeconds = 0;
+  m_copiedStep = -1;
+  m_readout.forget();
+}
+
+void SessionImpl::step() {
+  const auto start = Clock::now();
+  m_simulation->step();
+  const double wallMs = msSince(start);
+  m_stepMs.add(onCpu() ? wallMs : std::max(wallMs, m_simulation->solver().diagnostics().stepMs));
+  if (!m_grid || !m_grid->stepDone(wallMs)) return;
+  if (Status set = m_simulation->setResolution(m_grid->resolution()); !set) logError(set.error().text());
+  m_stepMs.clear();
+  m_copiedStep = -1;
+}
+
+void SessionImpl::advance(double wallSeconds) {
+  if (!m_playing || !(wallSeconds > 0.0)) return;
+  const double dt = static_cast<double>(m_simulation->project().field->timeStep);
+  const double budgetMs = std::clamp(500.0 * wallSeconds, kLeastBudgetMs, kMostBudgetMs);
+  m_owedSeconds += wallSeconds;
+  const auto start = Clock::now();
+  double usedMs = 0, simulated = 0;
+  // Always one step where one is due, however slow: time slows down but never stops.
+  while (m_owedSeconds >= dt) {
+    step();
+    m_owedSeconds -= dt;
+    simulated += dt;
+    usedMs = std::max(msSince(start), usedMs + (onCpu() ? 0.0 : m_stepMs.value()));
+    if (usedMs + m_stepMs.value() > budgetMs) break;
+  }
+  const double scale = simulated / wallSeconds;
+  m_owedSeconds = std::min(m_owedSeconds, dt);
+  // Steps fall unevenly on frames: the shown scale is smoothed over about a second.
+  const double weight = std::min(1.0, wallSeconds / 0.8);
+  m_status.timeScale += (scale - m_status.timeScale) * weight;
+}
+
+void SessionImpl::runTo(double seconds) {
+  m_simulation->runTo(seconds);
+  m_copiedStep = -1;
+}
+
+/// The CPU backend's field as a texture, copied when a step has been done since the last time.
+bool SessionImpl::uploadWind() {
+  const GridMapping& grid = m_simulation->solver().grid();
+  if (glm::ivec2(m_windCopy.size()) != grid.resolution) {
+    Result<gpu::Texture> texture = gpu::Texture::create2D("wind copy", grid.resolution, GL_RG32F, {.filter = gpu::Filter::Linear});
+    if (!texture) {
+      if (!m_uploadFailed) logError(texture.error().text());
+      m_uploadFailed = true;
+      return false;
+    }
+    m_uploadFailed = false;
+    m_windCopy = std::move(*texture);
+    m_copiedStep = -1;
+  }
+  if (m_copiedStep != m_simulation->steps()) {
+    m_windCopy.upload(GL_RG, GL_FLOAT, m_simulation->velocity().data());
+    m_copiedStep = m_simulation->steps();
+  }
+  return true;
+}
+
+WindTexture SessionImpl::windTexture() {
+  WindSolver& solver = m_simulation->solver();
+  if (!onCpu()) return {solver.velocityTexture(), solver.grid()};
+  return uploadWind() ? WindTexture{m_windCopy.name(), solver.grid()} : WindTexture{};
+}
+
+void SessionImpl::draw(const View& view) {
+  FrameInput input;
+  input.project = &m_simulation->project();
+  input.graph = &m_simulation->graph();
+  input.wind = windTexture();
+  input.time = m_simulation->time();
+  input.camera = view.camera;
+  input.size = view.size;
+  input.framebuffer = view.framebuffer;
+  input.origin = view.origin;
+  input.overlays = view.overlays;
+  input.highlight = view.highlight;
+  input.quality = view.quality;
+  m_status.frame = m_renderer->render(input);
+  if (!onCpu()) m_readout.sample(m_simulation->solver().velocityTexture(), m_simulation->solver().grid());
+}
+
+glm::vec2 SessionImpl::windAt(glm::vec2 world) {
+  if (onCpu()) return m_simulation->windAt(world);
+  return m_readout.ask(world, ambientVelocity(*m_simulation->project().ambient));
+}
+
+const SessionStatus& SessionImpl::status() {
+  WindSolver& solver = m_simulation->solver();
+  m_status.backend = solver.backend();
+  m_status.liveResolution = solver.grid().resolution;
+  m_status.projectResolution = m_simulation->project().field->resolution;
+  m_status.stepMs = m_stepMs.value();
+  m_status.wind = solver.diagnostics();
+  return m_status;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Session>> Session::create(const Project& project, const SessionOptions& options) {
+  WL_REQUIRE(options.context != nullptr && options.shaders != nullptr, "a session draws with OpenGL");
+  Result<std::unique_ptr<FrameRenderer>> renderer = FrameRenderer::create(*options.context, *options.shaders);
+  if (!renderer) return renderer.error();
+  Result<WindReadout> readout = WindReadout::create(*options.shaders);
+  if (!readout) return readout.error();
+  auto session = std::make_unique<SessionImpl>(options, std::move(*renderer), std::move(*readout));
+  if (Status started = session->start(project); !started) return started.error();
+  return std::unique_ptr<Session>(std::move(session));
+}
+
+}  // namespace windloom
