@@ -52,8 +52,11 @@ class Builder final : public nlohmann::json_sax<JsonDocument> {
       if (found != what.npos) what.remove_prefix(found + lead.size());
     }
     if (const std::size_t colon = what.find(": "); colon < 8) what.remove_prefix(colon + 2);
-    return refuse("line " + std::to_string(line) + ", column " + std::to_string(column),
-                  "is not valid JSON: " + std::string(what));
+    // It quotes the bytes it met, which need not be text.
+    std::string message = "is not valid JSON: " + std::string(what);
+    std::ranges::replace_if(
+        message, [](char c) { return c < 0x20 || c > 0x7e; }, '?');
+    return refuse("line " + std::to_string(line) + ", column " + std::to_string(column), std::move(message));
   }
 
   Result<JsonDocument> finish() {
@@ -118,7 +121,7 @@ class Builder final : public nlohmann::json_sax<JsonDocument> {
 bool isShort(const JsonDocument& value) {
   if (!value.is_structured()) return true;
   return value.size() <= 4 &&
-         std::ranges::all_of(value, [](const JsonDocument& v) { return v.is_primitive() && !v.is_string(); });
+         std::ranges::all_of(value, [](const JsonDocument& v) { return v.is_primitive(); });
 }
 
 }  // namespace

@@ -1,0 +1,95 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/model/templates.hpp"
+#include "tests/unit/io/project_fixture.hpp"
+
+namespace windloom {
+namespace {
+
+Project read(const std::string& text) {
+  Result<LoadedProject> loaded = parseProject(text, "text");
+  EXPECT_TRUE(loaded.ok()) << loaded.error().text();
+  return std::move(loaded->project);
+}
+
+}  // namespace
+
+TEST(ProjectJson, WritingWhatWasReadGivesTheSameBytes) {
+  const std::string once = writeProject(read(kRichProject));
+  EXPECT_EQ(writeProject(read(once)), once);
+  for (const ProjectTemplate& entry : projectTemplates()) {
+    const std::string text = writeProject(entry.make());
+    EXPECT_EQ(writeProject(read(text)), text) << entry.name;
+  }
+}
+
+TEST(ProjectJson, UnknownKeysAreWrittenBackAtTheirObject) {
+  const std::string text = writeProject(read(kRichProject));
+  for (const char* kept :
+       {R"("floor": "moss"})", R"("later": [1, {"a": null}]})", R"("colour": "blue"})", R"("tag": 0.001})",
+        R"("layers": {"x": 1})", R"("studio": {"owner": "Ada", "big": 18446744073709551615})",
+        R"("colliders": [{"mesh": "rock.glb"}])"}) {
+    EXPECT_NE(text.find(kept), std::string::npos) << kept << "\n" << text;
+  }
+}
+
+TEST(ProjectJson, WritesOneRecordALineWithoutDefaults) {
+  const std::string text = writeProject(read(kRichProject));
+  for (const char* line :
+       {"\n      {\"id\": 1, \"name\": \"gate\", \"position\": [-10, 0]},\n",
+        "\n      {\"id\": 10, \"from\": 1, \"to\": 2, \"drive\": \"speed\", \"strength\": 9, \"radius\": 4, \"where\": "
+        "\"along\", \"swirl\": -1.5},\n",
+        "\n      {\"root\": 1, \"kind\": \"curve\", \"period\": 4, \"attack\": 0.4, \"loop\": true, \"keys\": [[0, 0], "
+        "[1.25, 1], [4, 0]]}\n",
+        "\n    {\"id\": 30, \"shape\": \"box\", \"centre\": [5, -8], \"size\": [3, 1], \"rotation\": 30}\n",
+        "\n    {\"id\": 40, \"position\": [3, 4]}\n"}) {
+    EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
+  }
+}
+
+TEST(ProjectJson, WritesTheShortestNumbers) {
+  Project project;
+  AmbientWind ambient;
+  ambient.speed = 0.1f;
+  ambient.direction = -0.0f;
+  project.ambient = std::make_shared<AmbientWind>(ambient);
+  const std::string text = writeProject(project);
+  EXPECT_NE(text.find("\"speed\": 0.1,"), std::string::npos);
+  EXPECT_NE(text.find("\"direction\": 0,"), std::string::npos);
+  EXPECT_NE(text.find("\"timeStep\": 0.016666668"), std::string::npos);
+}
+
+TEST(ProjectJson, EveryFloatComesBackAsItWas) {
+  Project project;
+  auto points = std::make_shared<WindGraph>();
+  std::uint32_t state = 1;
+  for (Id id = 1; id <= 2000; ++id) {
+    state = state * 1664525u + 1013904223u;
+    Point point;
+    point.id = id;
+    point.position = {static_cast<float>(static_cast<std::int32_t>(state)) / 3000.0f,
+                      std::ldexp(1.1f, static_cast<int>(id % 60) - 50)};
+    points->points.push_back(point);
+  }
+  project.graph = points;
+  const Project back = read(writeProject(project));
+  ASSERT_EQ(back.graph->points.size(), points->points.size());
+  for (std::size_t i = 0; i < points->points.size(); ++i) {
+    EXPECT_EQ(back.graph->points[i].position, points->points[i].position);
+  }
+}
+
+TEST(ProjectJson, SamplesAreTheirTemplates) {
+  const std::pair<const char*, const char*> samples[] = {
+      {"meadow", "meadow"}, {"colliding-winds", "colliding-winds"}, {"canyon", "canyon-funnel"}};
+  for (const auto& [sample, name] : samples) {
+    const Result<std::string> text =
+        readFile(WINDLOOM_PROJECTS "/" + std::string(sample) + "/" + sample + ".wind.json");
+    ASSERT_TRUE(text.ok()) << text.error().text();
+    EXPECT_EQ(*text, writeProject(findTemplate(name)->make())) << sample;
+  }
+}
+
+}  // namespace windloom
