@@ -44,6 +44,8 @@ class Buffer {
 
   void bindStorage(unsigned binding) const;
   void bindUniform(unsigned binding) const;
+  /// A part of it; `offset` is a multiple of 256.
+  void bindUniformRange(unsigned binding, std::size_t offset, std::size_t bytes) const;
 
  private:
   Handle<BufferKind> m_handle;

@@ -62,6 +62,12 @@ void Program::dispatch(int x, int y, int z) const {
   glDispatchCompute(static_cast<GLuint>(x), static_cast<GLuint>(y), static_cast<GLuint>(z));
 }
 
+void Program::dispatchIndirect(const Buffer& commands, std::size_t offset) const {
+  use();
+  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, commands.name());
+  glDispatchComputeIndirect(static_cast<GLintptr>(offset));
+}
+
 void Program::dispatchOver(glm::ivec2 size) const {
   const glm::ivec2 group(m_workGroupSize.x, m_workGroupSize.y);
   const glm::ivec2 groups = (size + group - 1) / group;

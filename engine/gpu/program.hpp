@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/gpu/buffer.hpp"
 #include "engine/gpu/handle.hpp"
 
 namespace windloom::gpu {
@@ -36,6 +37,9 @@ class Program {
   [[nodiscard]] glm::ivec3 workGroupSize() const { return m_workGroupSize; }
   /// Runs a compute program on so many work-groups (all >= 1).
   void dispatch(int x, int y = 1, int z = 1) const;
+  /// As dispatch(), the three numbers read by the GPU from `commands` at `offset` bytes; any may be 0. Whoever calls it
+  /// issues GL_COMMAND_BARRIER_BIT where a shader wrote them.
+  void dispatchIndirect(const Buffer& commands, std::size_t offset) const;
   /// Runs as many work-groups as cover `size` invocations.
   void dispatchOver(glm::ivec2 size) const;
 

@@ -85,26 +85,31 @@ bool ReadbackRing::request(const Texture& source, GLenum pixelFormat, GLenum pix
   return true;
 }
 
-std::optional<ReadbackRing::Arrival> ReadbackRing::collect(GLuint64 waitNs) {
-  std::optional<Arrival> newest;
+std::optional<ReadbackRing::Arrival> ReadbackRing::takeOldest(Wait wait) {
+  constexpr GLuint64 kTenSeconds = 10'000'000'000ull;
   for (std::size_t i = 0; i < m_slots.size(); ++i) {
-    // From the oldest request on; m_next is the slot to be used next, so the oldest one in flight.
+    // The slot to be used next is the oldest one, if it is in flight.
     Slot& slot = m_slots[(m_next + i) % m_slots.size()];
     if (slot.fence == nullptr) continue;
-    const GLenum state = glClientWaitSync(slot.fence, waitNs > 0 ? GL_SYNC_FLUSH_COMMANDS_BIT : 0, waitNs);
-    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) break;
+    const bool waits = wait == Wait::Yes;
+    GLenum state = glClientWaitSync(slot.fence, waits ? GL_SYNC_FLUSH_COMMANDS_BIT : 0, waits ? kTenSeconds : 0);
+    while (waits && state == GL_TIMEOUT_EXPIRED) state = glClientWaitSync(slot.fence, 0, kTenSeconds);
+    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
     glDeleteSync(slot.fence);
     slot.fence = nullptr;
-    newest = Arrival{slot.tag, {slot.mapped, slot.bytes}};
+    return Arrival{slot.tag, {slot.mapped, slot.bytes}};
   }
+  return std::nullopt;
+}
+
+std::optional<ReadbackRing::Arrival> ReadbackRing::collect(Wait wait) {
+  std::optional<Arrival> newest;
+  while (const std::optional<Arrival> arrival = takeOldest(wait)) newest = arrival;
   return newest;
 }
 
-std::optional<ReadbackRing::Arrival> ReadbackRing::poll() { return collect(0); }
+std::optional<ReadbackRing::Arrival> ReadbackRing::poll() { return collect(Wait::No); }
 
-std::optional<ReadbackRing::Arrival> ReadbackRing::finish() {
-  constexpr GLuint64 kTenSeconds = 10'000'000'000ull;
-  return collect(kTenSeconds);
-}
+std::optional<ReadbackRing::Arrival> ReadbackRing::finish() { return collect(Wait::Yes); }
 
 }  // namespace windloom::gpu

@@ -38,6 +38,10 @@ class ReadbackRing {
   /// Waits for all requests, then as poll().
   std::optional<Arrival> finish();
 
+  enum class Wait { No, Yes };
+  /// The oldest result not taken yet: for those who need every one, in order.
+  std::optional<Arrival> takeOldest(Wait wait);
+
  private:
   struct Slot {
     Handle<BufferKind> buffer;
@@ -47,7 +51,7 @@ class ReadbackRing {
     long tag = 0;
   };
   Slot* freeSlot();
-  std::optional<Arrival> collect(GLuint64 waitNs);
+  std::optional<Arrival> collect(Wait wait);
   void dropFences();
 
   std::vector<Slot> m_slots;

@@ -127,12 +127,27 @@ glm::ivec2 coarseningOf(glm::ivec2 cells, glm::dvec2 cellSizeM) {
           cells.y > 1 && (cells.x == 1 || cellSizeM.y <= kSimilar * cellSizeM.x) ? 2 : 1};
 }
 
-std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid) {
+glm::ivec2 coarseningByFour(glm::ivec2 cells, glm::dvec2 cellSizeM) {
+  // The factor of an axis whose cells are `ratio` times as long as the other's; between the powers of two the nearer.
+  const auto factor = [](double ratio) { return ratio < 1.4143 ? 4 : ratio < 2.8285 ? 2 : 1; };
+  glm::ivec2 result(factor(cellSizeM.x / cellSizeM.y), factor(cellSizeM.y / cellSizeM.x));
+  if (cells.y == 1) result = {4, 1};
+  if (cells.x == 1) result = {1, cells.y == 1 ? 1 : 4};
+  return result;
+}
+
+std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, CoarseningRule rule, FinestLevel finest) {
   std::vector<PressureLevel> levels;
   Geometry geometry = fineGeometry(grid);
-  levels.push_back(levelOf(geometry, grid, {1, 1}));
+  if (finest == FinestLevel::Full) {
+    levels.push_back(levelOf(geometry, grid, {1, 1}));
+  } else {
+    levels.emplace_back();
+    levels.back().width = geometry.width;
+    levels.back().height = geometry.height;
+  }
   for (;;) {
-    const glm::ivec2 factor = coarseningOf({geometry.width, geometry.height}, geometry.cellSize);
+    const glm::ivec2 factor = rule({geometry.width, geometry.height}, geometry.cellSize);
     if (factor == glm::ivec2(1)) return levels;
     geometry = coarsen(geometry, factor);
     levels.push_back(levelOf(geometry, grid, factor));

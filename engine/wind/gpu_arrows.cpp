@@ -1,0 +1,64 @@
+#include "engine/wind/gpu_arrows.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cstring>
+
+#include "engine/core/log.hpp"
+#include "shaders/shared/wind_block.h"
+
+namespace windloom {
+namespace {
+
+/// Makes room, with some to spare, and writes.
+template <class T>
+bool writeGrowing(gpu::Buffer& buffer, const char* label, const std::vector<T>& values) {
+  const std::size_t bytes = std::max<std::size_t>(values.size() * sizeof(T), 256);
+  if (buffer.bytes() < bytes) {
+    Result<gpu::Buffer> made = gpu::Buffer::create(label, std::bit_ceil(bytes), gpu::BufferUse::Dynamic);
+    if (!made) {
+      logError(made.error().text());
+      return false;
+    }
+    buffer = std::move(*made);
+  }
+  buffer.write(values.data(), values.size() * sizeof(T));
+  return true;
+}
+
+}  // namespace
+
+bool GpuArrows::sameShapes(std::span<const ArrowForce> arrows) const {
+  return std::equal(arrows.begin(), arrows.end(), m_sent.begin(), m_sent.end(), [](const ArrowForce& a, const ArrowForce& b) {
+    return a.from == b.from && a.to == b.to && a.radius == b.radius;
+  });
+}
+
+void GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
+  if (arrows.empty()) {
+    fields.block.tileColumns = 0;
+    return;
+  }
+  const glm::vec2 corner = fields.grid.mapping.minCorner;
+  const bool rebin = m_startBuffer.bytes() == 0 || corner != m_corner || !sameShapes(arrows);
+  const bool changed = rebin || std::memcmp(arrows.data(), m_sent.data(), arrows.size_bytes()) != 0;
+  if (changed) m_sent.assign(arrows.begin(), arrows.end());
+  bool sent = !changed || writeGrowing(m_arrowBuffer, "wind arrows", m_sent);
+  if (rebin && sent) {
+    binArrows(fields.grid, arrows, m_tiles);
+    m_corner = corner;
+    sent = writeGrowing(m_startBuffer, "wind tile starts", m_tiles.start) &&
+           writeGrowing(m_indexBuffer, "wind tile arrows", m_tiles.indices);
+  }
+  fields.block.tileColumns = sent ? m_tiles.columns : 0;
+  fields.block.tileSide = m_tiles.cellsPerSide;
+}
+
+void GpuArrows::bind() const {
+  if (m_startBuffer.bytes() == 0) return;
+  m_arrowBuffer.bindStorage(WIND_SSBO_ARROWS);
+  m_startBuffer.bindStorage(WIND_SSBO_TILE_START);
+  m_indexBuffer.bindStorage(WIND_SSBO_TILE_ARROWS);
+}
+
+}  // namespace windloom

@@ -1,0 +1,29 @@
+#pragma once
+// The arrows of a step on the GPU, binned in tiles. Binning is done again only when arrows moved, came or went.
+
+#include <span>
+#include <vector>
+
+#include "engine/gpu/buffer.hpp"
+#include "engine/wind/arrow_tiles.hpp"
+#include "engine/wind/gpu_fields.hpp"
+
+namespace windloom {
+
+class GpuArrows {
+ public:
+  /// Sends what changed since the last call, and says in `fields.block` how to find it. Where the GPU has no memory for
+  /// the lists the old arrows stay and the failure goes to the log.
+  void send(GpuFields& fields, std::span<const ArrowForce> arrows);
+  void bind() const;
+  [[nodiscard]] std::size_t memoryBytes() const { return m_arrowBuffer.bytes() + m_startBuffer.bytes() + m_indexBuffer.bytes(); }
+
+ private:
+  [[nodiscard]] bool sameShapes(std::span<const ArrowForce> arrows) const;
+  std::vector<ArrowForce> m_sent;
+  glm::vec2 m_corner{0};
+  ArrowTiles m_tiles;
+  gpu::Buffer m_arrowBuffer, m_startBuffer, m_indexBuffer;
+};
+
+}  // namespace windloom

@@ -1,0 +1,168 @@
+#include "engine/wind/gpu_fields.hpp"
+
+#include <cmath>
+#include <cstring>
+#include <string>
+
+#include "engine/wind/gusts.hpp"
+
+namespace windloom {
+namespace {
+
+int borderCode(Border border) {
+  return border == Border::Open ? WIND_BORDER_OPEN : border == Border::Wall ? WIND_BORDER_WALL : WIND_BORDER_PERIODIC;
+}
+
+/// What lies behind one side of a cell: a link to a neighbour, the ground, or nothing.
+std::uint16_t sideOf(bool blocked, bool border, bool periodic, unsigned link, unsigned ground) {
+  if (blocked) return 0;
+  return static_cast<std::uint16_t>(border && !periodic ? ground : link);
+}
+
+std::uint16_t flagsOf(const WindGrid& g, int i, int k) {
+  if (g.solidAt(i, k)) return WIND_SOLID;
+  return static_cast<std::uint16_t>(
+      sideOf(g.blockedX(i, k), i == 0, g.periodicX(), WIND_LINK_X_LOW, WIND_GROUND_X_LOW) |
+      sideOf(g.blockedX(i + 1, k), i + 1 == g.width, g.periodicX(), WIND_LINK_X_HIGH, WIND_GROUND_X_HIGH) |
+      sideOf(g.blockedZ(i, k), k == 0, g.periodicZ(), WIND_LINK_Z_LOW, WIND_GROUND_Z_LOW) |
+      sideOf(g.blockedZ(i, k + 1), k + 1 == g.height, g.periodicZ(), WIND_LINK_Z_HIGH, WIND_GROUND_Z_HIGH));
+}
+
+int workGroups(int count, int size) { return (count + size - 1) / size; }
+
+/// Floats of the partial sums of the pass with the most work-groups times values.
+std::size_t sumFloats(const WindGrid& grid) {
+  const int cells = workGroups(grid.width, WIND_GROUP_X) * workGroups(grid.height, WIND_GROUP_Z) * 5;
+  const int regions = workGroups(grid.width, WIND_INNER) * workGroups(grid.height, WIND_INNER) * 3;
+  return static_cast<std::size_t>(std::max(cells, regions));
+}
+
+}  // namespace
+
+VelocityLayout::VelocityLayout(const WindGrid& grid)
+    : stride((grid.width + 3 + 3) / 4 * 4), zFaces(stride * (grid.height + 3)),
+      floats(2 * static_cast<std::size_t>(stride) * static_cast<std::size_t>(grid.height + 3)) {}
+
+GpuFields::GpuFields(const WindSetup& setup) : grid(makeWindGrid(setup.field, setup.obstacles)), layout(grid) {}
+
+Result<GpuFields> GpuFields::create(const WindSetup& setup) {
+  GpuFields f(setup);
+  const glm::ivec2 size(f.grid.width, f.grid.height);
+  struct Wanted {
+    gpu::Buffer* buffer;
+    const char* label;
+    std::size_t bytes;
+    gpu::BufferUse use;
+  };
+  const std::size_t velocityBytes = f.layout.floats * sizeof(float);
+  const Wanted buffers[] = {{&f.velocity, "wind velocity", velocityBytes, gpu::BufferUse::Static},
+                            {&f.carried, "wind carried", velocityBytes, gpu::BufferUse::Static},
+                            {&f.first, "wind first advection", velocityBytes, gpu::BufferUse::Static},
+                            {&f.moved, "wind moved", velocityBytes, gpu::BufferUse::Static},
+                            {&f.control, "wind control", sizeof(shared::WindControl), gpu::BufferUse::Dynamic},
+                            {&f.sums, "wind sums", sumFloats(f.grid) * sizeof(float), gpu::BufferUse::Static},
+                            {&f.blockBuffer, "wind block", sizeof(shared::WindBlock), gpu::BufferUse::Dynamic}};
+  for (const Wanted& wanted : buffers) {
+    Result<gpu::Buffer> made = gpu::Buffer::create(wanted.label, wanted.bytes, wanted.use);
+    if (!made) return made.error();
+    *wanted.buffer = std::move(*made);
+  }
+  Result<gpu::Texture> flags = gpu::Texture::create2D("wind cell flags", size, GL_R16UI, {.filter = gpu::Filter::Nearest});
+  if (!flags) return flags.error();
+  f.flags = std::move(*flags);
+  Result<gpu::Texture> cells = gpu::Texture::create2D("wind cell velocity", size, GL_RG32F);
+  if (!cells) return cells.error();
+  f.cells = std::move(*cells);
+  Result<gpu::Texture> gusts =
+      gpu::Texture::create2D("wind gust table", glm::ivec2(WIND_GUST_TABLE), GL_RG32F, {.filter = gpu::Filter::Nearest});
+  if (!gusts) return gusts.error();
+  f.gustTable = std::move(*gusts);
+  f.applySettings(setup);
+  f.uploadFlags();
+  return f;
+}
+
+void GpuFields::uploadFlags() {
+  std::vector<std::uint16_t> values(grid.solid.size());
+  for (int k = 0; k < grid.height; ++k) {
+    for (int i = 0; i < grid.width; ++i) {
+      values[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] = flagsOf(grid, i, k);
+    }
+  }
+  flags.upload(GL_RED_INTEGER, GL_UNSIGNED_SHORT, values.data());
+}
+
+void GpuFields::applySettings(const WindSetup& setup) {
+  const std::vector<std::uint8_t> old = grid.solid;
+  grid.mapping = makeGridMapping(setup.field.centre, setup.field.size, setup.field.resolution);
+  rasteriseSolids(grid, setup.obstacles);
+  if (grid.solid != old) uploadFlags();
+  if (!m_hasGusts || m_gustSeed != setup.solver.seed) {
+    gustTable.upload(GL_RG, GL_FLOAT, makeGustTable(setup.solver.seed).data());
+    m_gustSeed = setup.solver.seed;
+    m_hasGusts = true;
+  }
+  solver = setup.solver;
+  ambient = setup.ambient;
+  const float dt = setup.field.timeStep;
+  glm::vec2 still = ambientVelocity(setup.ambient);
+  if (const float speed = glm::length(still); speed > solver.maxSpeed) still *= solver.maxSpeed / speed;
+  shared::WindBlock& b = block;
+  b.width = grid.width;
+  b.height = grid.height;
+  b.stride = layout.stride;
+  b.zFaces = layout.zFaces;
+  b.hx = grid.hx;
+  b.hz = grid.hz;
+  b.perHx = 1 / grid.hx;
+  b.perHz = 1 / grid.hz;
+  b.minCorner = grid.mapping.minCorner;
+  b.dt = dt;
+  b.maxSpeed = solver.maxSpeed;
+  b.ambient = still;
+  b.gustAmplitude = gustAmplitude(ambient);
+  b.gustPart = 1 - std::exp(-dt / WIND_GUST_RESPONSE);
+  b.gusts = b.gustAmplitude > 0 ? WIND_GUST_LAYERS : 0;
+  b.xMin = borderCode(grid.xMin);
+  b.xMax = borderCode(grid.xMax);
+  b.zMin = borderCode(grid.zMin);
+  b.zMax = borderCode(grid.zMax);
+  const WallSpeeds walls = setup.noSlip.value_or(WallSpeeds{});
+  b.wallXMin = walls.xMin;
+  b.wallXMax = walls.xMax;
+  b.wallZMin = walls.zMin;
+  b.wallZMax = walls.zMax;
+  b.noSlip = setup.noSlip ? 1 : 0;
+  b.keep = 1 / (1 + solver.dissipation * dt);
+  b.confinement = solver.confinement;
+  b.tolerance = solver.divergenceTolerance;
+  b.perAir = 1 / static_cast<float>(std::max<std::size_t>(grid.airCells, 1));
+  b.perCell = 1 / static_cast<float>(grid.solid.size());
+  const double bx = double(solver.viscosity) * double(dt) / (double(grid.hx) * double(grid.hx));
+  const double bz = double(solver.viscosity) * double(dt) / (double(grid.hz) * double(grid.hz));
+  b.viscosityX = static_cast<float>(bx);
+  b.viscosityZ = static_cast<float>(bz);
+  b.viscosityInverse = static_cast<float>(1 / (1 + 2 * bx + 2 * bz));
+}
+
+void GpuFields::sendBlock() {
+  if (m_hasSent && std::memcmp(&m_sent, &block, sizeof block) == 0) return;
+  blockBuffer.write(&block, sizeof block);
+  m_sent = block;
+  m_hasSent = true;
+}
+
+void GpuFields::bindShared() const {
+  blockBuffer.bindUniform(WIND_UBO_BLOCK);
+  flags.bind(WIND_TEXTURE_FLAGS);
+  gustTable.bind(WIND_TEXTURE_GUSTS);
+  sums.bindStorage(WIND_SSBO_SUMS);
+}
+
+std::size_t GpuFields::memoryBytes() const {
+  std::size_t sum = grid.solid.size() * (sizeof(std::uint16_t) + sizeof(glm::vec2)) + sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE;
+  for (const gpu::Buffer* b : {&velocity, &carried, &first, &moved, &control, &sums, &blockBuffer}) sum += b->bytes();
+  return sum;
+}
+
+}  // namespace windloom

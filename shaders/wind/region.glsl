@@ -1,0 +1,134 @@
+// A region of one level of the pressure solve in shared memory and registers, and Jacobi's sweeps on it. Invocation (x, s)
+// holds the cells (x, s WIND_STRIP + n). Each sweep makes the outermost ring that is still right one cell narrower; the
+// inner cells are right for WIND_HALO neighbour look-ups. LEVEL0: the grid itself, whose conductances follow from the
+// cells' flags; otherwise they come from buffers. docs/solver.md section 6.
+#include "shaders/wind/block.glsl"
+
+layout(local_size_x = WIND_REGION, local_size_y = WIND_STRIPS) in;
+layout(std140, binding = WIND_UBO_LEVEL) uniform LevelBlock { WindLevel level; };
+#ifndef LEVEL0
+layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { vec4 faces[]; };
+layout(std430, binding = WIND_SSBO_INVERSE) readonly buffer Inverse { float inverseDiagonal[]; };
+#endif
+
+#define GROUP_SIZE (WIND_REGION * WIND_STRIPS)
+shared float scratch[WIND_REGION * WIND_REGION];
+
+struct Cell {
+  float d, b;
+  float inverse;  // 1 / D, 0 where D is 0 and outside
+#ifdef LEVEL0
+  uint flags;
+#else
+  float xLow, xHigh, zLow, zHigh;  // conductances
+#endif
+};
+Cell cells[WIND_STRIP];
+
+int localX() { return int(gl_LocalInvocationID.x); }
+int localZ(int n) { return int(gl_LocalInvocationID.y) * WIND_STRIP + n; }
+int scratchAt(int n) { return localZ(n) * WIND_REGION + localX(); }
+
+// The cell of this level, not wrapped.
+ivec2 placeOf(int n) {
+  return ivec2(gl_WorkGroupID.xy) * WIND_INNER - WIND_HALO + ivec2(localX(), localZ(n));
+}
+// GLSL leaves the remainder of negative numbers open.
+int wrapAxis(int c, int count, bool periodic) { return periodic ? (c + WIND_HALO * count) % count : c; }
+// The cell wrapped at periodic borders; negative where there is none.
+ivec2 wrappedPlace(int n) {
+  ivec2 place = placeOf(n);
+  place.x = wrapAxis(place.x, level.width, level.xMin == WIND_BORDER_PERIODIC);
+  place.y = wrapAxis(place.y, level.height, level.zMin == WIND_BORDER_PERIODIC);
+  bool there = place.x >= 0 && place.y >= 0 && place.x < level.width && place.y < level.height;
+  return there ? place : ivec2(-1);
+}
+// Whether the work-group answers for the cell.
+bool isInner(int n) {
+  ivec2 place = placeOf(n);
+  int x = localX(), z = localZ(n);
+  return x >= WIND_HALO && z >= WIND_HALO && x < WIND_REGION - WIND_HALO && z < WIND_REGION - WIND_HALO &&
+         place.x < level.width && place.y < level.height;
+}
+int levelCell(ivec2 place) { return place.y * level.width + place.x; }
+
+#ifdef LEVEL0
+float countOf(uint flags, uint low, uint high) { return ((flags & low) != 0u ? 1.0 : 0.0) + ((flags & high) != 0u ? 1.0 : 0.0); }
+
+void loadStencil(int n, ivec2 place) {
+  uint flags = place.x >= 0 ? flagsOf(place.x, place.y) : 0u;
+  float alongX = countOf(flags, WIND_LINK_X_LOW, WIND_LINK_X_HIGH) + 2.0 * countOf(flags, WIND_GROUND_X_LOW, WIND_GROUND_X_HIGH);
+  float alongZ = countOf(flags, WIND_LINK_Z_LOW, WIND_LINK_Z_HIGH) + 2.0 * countOf(flags, WIND_GROUND_Z_LOW, WIND_GROUND_Z_HIGH);
+  float diagonal = alongX * (wind.hz * wind.perHx) + alongZ * (wind.hx * wind.perHz);
+  cells[n].flags = flags;
+  cells[n].inverse = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
+}
+float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
+  uint flags = cells[n].flags;
+  float x = ((flags & WIND_LINK_X_LOW) != 0u ? xLow : 0.0) + ((flags & WIND_LINK_X_HIGH) != 0u ? xHigh : 0.0);
+  float z = ((flags & WIND_LINK_Z_LOW) != 0u ? zLow : 0.0) + ((flags & WIND_LINK_Z_HIGH) != 0u ? zHigh : 0.0);
+  return x * (wind.hz * wind.perHx) + z * (wind.hx * wind.perHz);
+}
+#else
+void loadStencil(int n, ivec2 place) {
+  bool there = place.x >= 0;
+  int node = place.y * (level.width + 1) + place.x;
+  vec4 own = there ? faces[node] : vec4(0.0);
+  cells[n].xLow = own.x;
+  cells[n].zLow = own.y;
+  cells[n].xHigh = there ? faces[node + 1].x : 0.0;
+  cells[n].zHigh = there ? faces[node + level.width + 1].y : 0.0;
+  cells[n].inverse = there ? inverseDiagonal[levelCell(place)] : 0.0;
+}
+float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
+  return (cells[n].xLow * xLow + cells[n].xHigh * xHigh) + (cells[n].zLow * zLow + cells[n].zHigh * zHigh);
+}
+#endif
+
+// Lets the others of the work-group see the cells' d.
+void publish() {
+  for (int n = 0; n < WIND_STRIP; ++n) scratch[scratchAt(n)] = cells[n].d;
+  barrier();
+}
+
+// Sum of conductance times neighbour of each cell of the strip, from what was published.
+void gather(out float sums[WIND_STRIP]) {
+  int at = scratchAt(0);
+  int toLow = localX() > 0 ? -1 : 0, toHigh = localX() < WIND_REGION - 1 ? 1 : 0;
+  float before = localZ(0) > 0 ? scratch[at - WIND_REGION] : 0.0;
+  float after = localZ(WIND_STRIP) < WIND_REGION ? scratch[at + WIND_STRIP * WIND_REGION] : 0.0;
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    int mine = at + n * WIND_REGION;
+    float zLow = n > 0 ? cells[max(n - 1, 0)].d : before;
+    float zHigh = n < WIND_STRIP - 1 ? cells[min(n + 1, WIND_STRIP - 1)].d : after;
+    sums[n] = neighbours(n, scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
+  }
+}
+
+// d += weight (D^-1 (sum - b) - d), all cells at once.
+void sweep(float weight) {
+  float sums[WIND_STRIP];
+  gather(sums);
+  barrier();
+  for (int n = 0; n < WIND_STRIP; ++n) cells[n].d += weight * ((sums[n] - cells[n].b) * cells[n].inverse - cells[n].d);
+  publish();
+}
+
+// The first sweep from d = 0 needs no neighbours.
+void firstSweep(float weight) {
+  for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = -weight * cells[n].b * cells[n].inverse;
+  publish();
+}
+
+void residuals(out float left[WIND_STRIP]) {
+  gather(left);
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    left[n] = cells[n].inverse > 0.0 ? cells[n].b - (left[n] - cells[n].d / cells[n].inverse) : 0.0;
+  }
+}
+
+// Reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2].
+float smoothingWeight(int m) {
+  const float middle = 0.5 * (2.0 + WIND_SMOOTH_FROM), reach = 0.5 * (2.0 - WIND_SMOOTH_FROM);
+  return 1.0 / (middle + reach * cos(3.14159265 * float(2 * m + 1) / float(2 * WIND_GPU_SWEEPS)));
+}

@@ -1,0 +1,53 @@
+// Sums over all cells in one dispatch: each work-group delivers its own, and the last to arrive adds them up, always in the
+// same order. Before the include: SUM_COUNT values, of which the first SUM_ADDED are added and the others' greatest is
+// taken; GROUP_SIZE; a shared float array `scratch` of SUM_COUNT * GROUP_SIZE; a coherent buffer `control`.
+
+layout(std430, binding = WIND_SSBO_SUMS) coherent buffer Sums { float groupSums[]; };
+shared uint isLastGroup;
+
+void joinInto(inout float sums[SUM_COUNT], int c, float value) {
+  sums[c] = c < SUM_ADDED ? sums[c] + value : max(sums[c], value);
+}
+
+// Joined over the work-group; the answer is in invocation 0.
+void joinGroup(inout float sums[SUM_COUNT]) {
+  const int kColumns = 32;
+  int n = int(gl_LocalInvocationIndex);
+  barrier();
+  for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + n] = sums[c];
+  barrier();
+  if (n < kColumns) {
+    for (int m = n + kColumns; m < GROUP_SIZE; m += kColumns) {
+      for (int c = 0; c < SUM_COUNT; ++c) joinInto(sums, c, scratch[c * GROUP_SIZE + m]);
+    }
+    for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + n] = sums[c];
+  }
+  barrier();
+  if (n == 0) {
+    for (int m = 1; m < kColumns; ++m) {
+      for (int c = 0; c < SUM_COUNT; ++c) joinInto(sums, c, scratch[c * GROUP_SIZE + m]);
+    }
+  }
+}
+
+// True in all invocations of the work-group that arrives last; then the values, in invocation 0, are those of all groups.
+bool joinAll(inout float sums[SUM_COUNT]) {
+  joinGroup(sums);
+  uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  if (gl_LocalInvocationIndex == 0u) {
+    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+    for (int c = 0; c < SUM_COUNT; ++c) groupSums[group * uint(SUM_COUNT) + uint(c)] = sums[c];
+    memoryBarrierBuffer();
+    isLastGroup = atomicAdd(control.arrived, 1u) + 1u == groups ? 1u : 0u;
+  }
+  barrier();
+  if (isLastGroup == 0u) return false;
+  memoryBarrierBuffer();
+  for (int c = 0; c < SUM_COUNT; ++c) sums[c] = 0.0;
+  for (uint m = gl_LocalInvocationIndex; m < groups; m += uint(GROUP_SIZE)) {
+    for (int c = 0; c < SUM_COUNT; ++c) joinInto(sums, c, groupSums[m * uint(SUM_COUNT) + uint(c)]);
+  }
+  joinGroup(sums);
+  if (gl_LocalInvocationIndex == 0u) control.arrived = 0u;
+  return true;
+}

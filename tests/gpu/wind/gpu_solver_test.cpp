@@ -1,0 +1,310 @@
+// The GPU backend against the CPU backend, and what both promise.
+#include <cmath>
+#include <random>
+#include <vector>
+
+#include "engine/wind/wind_solver.hpp"
+#include "tests/gpu/gpu_test.hpp"
+#include "tests/unit/wind/wind_fixture.hpp"
+
+namespace windloom {
+namespace {
+
+using windloom::testing::arrow;
+using windloom::testing::bareSetup;
+
+class GpuSolver : public windloom::testing::GpuTest {
+ protected:
+  std::unique_ptr<WindSolver> make(const WindSetup& setup) {
+    auto solver = makeGpuWindSolver(setup, context(), shaders());
+    EXPECT_TRUE(solver.ok()) << solver.error().text();
+    return solver ? std::move(*solver) : nullptr;
+  }
+};
+
+/// What artists leave alone: MacCormack, multigrid, a little confinement and dissipation.
+WindSetup usualSetup(glm::ivec2 cells, float cellSizeM, Border border) {
+  WindSetup setup = bareSetup(cells, cellSizeM, border, 1.0f / 60);
+  setup.solver = SolverSettings{};
+  setup.ambient.speed = 2;
+  setup.ambient.direction = 30;
+  return setup;
+}
+
+Obstacle circle(glm::vec2 centre, float radius) {
+  Obstacle o;
+  o.centre = centre;
+  o.radius = radius;
+  return o;
+}
+
+Obstacle box(glm::vec2 centre, glm::vec2 size, float rotation) {
+  Obstacle o;
+  o.shape = ObstacleShape::Box;
+  o.centre = centre;
+  o.size = size;
+  o.rotation = rotation;
+  return o;
+}
+
+/// Arrows of every kind, spread over a field of `size` metres.
+std::vector<ArrowForce> arrowsOver(glm::vec2 size) {
+  const float r = std::min(size.x, size.y) * 0.12f;
+  std::vector<ArrowForce> arrows = {arrow(size * glm::vec2(0.15f, 0.3f), size * glm::vec2(0.5f, 0.4f), 9, r),
+                                    arrow(size * glm::vec2(0.8f, 0.7f), size * glm::vec2(0.4f, 0.65f), 7, r)};
+  ArrowForce push = arrow(size * glm::vec2(0.6f, 0.2f), size * glm::vec2(0.6f, 0.35f), 20, r);
+  push.from = push.to;
+  push.drive = ARROW_DRIVE_FORCE;
+  ArrowForce whirl = arrow(size * glm::vec2(0.3f, 0.7f), size * glm::vec2(0.3f, 0.8f), 0, r * 1.5f);
+  whirl.swirl = -6;
+  arrows.push_back(push);
+  arrows.push_back(whirl);
+  return arrows;
+}
+
+double relativeDifference(const std::vector<glm::vec2>& a, const std::vector<glm::vec2>& b) {
+  double difference = 0, size = 0;
+  for (std::size_t n = 0; n < a.size(); ++n) {
+    const glm::dvec2 d = glm::dvec2(a[n]) - glm::dvec2(b[n]);
+    difference += glm::dot(d, d);
+    size += glm::dot(glm::dvec2(b[n]), glm::dvec2(b[n]));
+  }
+  return std::sqrt(difference / size);
+}
+
+struct Comparison {
+  double difference = 0, worstRatio = 0;
+};
+
+/// Runs both backends side by side.
+Comparison compare(WindSolver& gpu, const WindSetup& setup, int steps, bool withArrows = true) {
+  auto cpu = makeCpuWindSolver(setup, 1);
+  EXPECT_TRUE(cpu.ok());
+  const std::vector<ArrowForce> arrows = withArrows ? arrowsOver(setup.field.size) : std::vector<ArrowForce>{};
+  Comparison result;
+  std::vector<glm::vec2> onGpu, onCpu;
+  for (int n = 0; n < steps; ++n) {
+    const double time = n * double(setup.field.timeStep);
+    gpu.step(arrows, time);
+    (*cpu)->step(arrows, time);
+    gpu.readVelocity(onGpu);
+    const WindDiagnostics& d = gpu.diagnostics();
+    EXPECT_EQ(d.step, n + 1);
+    if (d.divergenceBefore > 1e-3) result.worstRatio = std::max(result.worstRatio, d.divergenceAfter / d.divergenceBefore);
+  }
+  (*cpu)->readVelocity(onCpu);
+  result.difference = relativeDifference(onGpu, onCpu);
+  const WindDiagnostics &g = gpu.diagnostics(), &c = (*cpu)->diagnostics();
+  EXPECT_NEAR(g.kineticEnergy, c.kineticEnergy, 2e-3 * c.kineticEnergy);
+  EXPECT_NEAR(g.maxSpeed, c.maxSpeed, 5e-3 * c.maxSpeed);
+  EXPECT_NEAR(g.cfl, c.cfl, 5e-3 * c.cfl);
+  EXPECT_EQ(g.nonFiniteCells, 0);
+  return result;
+}
+
+TEST_F(GpuSolver, AgreesWithTheCpuInAnOpenFieldWithSolids) {
+  WindSetup setup = usualSetup({128, 128}, 0.25f, Border::Open);
+  setup.obstacles = {circle({20, 10}, 3), box({12, 24}, {6, 2}, 25)};
+  const auto gpu = make(setup);
+  const Comparison result = compare(*gpu, setup, 100);
+  EXPECT_LE(result.difference, 1e-3);
+  EXPECT_LE(result.worstRatio, 1.05e-3);
+}
+
+TEST_F(GpuSolver, AgreesWithTheCpuBetweenWalls) {
+  WindSetup setup = usualSetup({96, 80}, 0.25f, Border::Wall);
+  setup.obstacles = {circle({12, 10}, 2.5f)};
+  const auto gpu = make(setup);
+  EXPECT_LE(compare(*gpu, setup, 100).difference, 1e-3);
+}
+
+TEST_F(GpuSolver, AgreesWithTheCpuInAPeriodicFieldWithGusts) {
+  WindSetup setup = usualSetup({80, 96}, 0.25f, Border::Periodic);
+  setup.ambient.gustStrength = 0.5f;
+  const auto gpu = make(setup);
+  EXPECT_LE(compare(*gpu, setup, 100).difference, 1e-3);
+}
+
+TEST_F(GpuSolver, AgreesWithTheCpuOnOddSizesAndMixedBorders) {
+  WindSetup setup = usualSetup({33, 77}, 0.5f, Border::Open);
+  setup.field.xMin = setup.field.xMax = Border::Periodic;
+  setup.field.zMin = Border::Wall;
+  const auto gpu = make(setup);
+  EXPECT_LE(compare(*gpu, setup, 100).difference, 1e-3);
+}
+
+TEST_F(GpuSolver, AgreesWithTheCpuOnOblongCells) {
+  WindSetup setup = usualSetup({40, 150}, 0.25f, Border::Open);
+  setup.field.size = {40, 20};
+  setup.field.centre = {20, 10};
+  const auto gpu = make(setup);
+  const Comparison result = compare(*gpu, setup, 60);
+  EXPECT_LE(result.difference, 1e-3);
+  EXPECT_LE(result.worstRatio, 1.05e-3);
+}
+
+TEST_F(GpuSolver, AgreesWithTheCpuInTheOtherSettings) {
+  WindSetup setup = usualSetup({64, 64}, 0.25f, Border::Wall);
+  setup.field.xMax = Border::Open;
+  setup.solver.advection = Advection::SemiLagrangian;
+  setup.solver.pressure = Pressure::Jacobi;
+  setup.solver.jacobiSweeps = 20;
+  setup.solver.viscosity = 0.05f;
+  setup.noSlip = WallSpeeds{0, 0, 0, 1};
+  const auto gpu = make(setup);
+  EXPECT_LE(compare(*gpu, setup, 60).difference, 1e-3);
+}
+
+TEST_F(GpuSolver, LeavesUniformFlowUnchanged) {
+  for (const Border border : {Border::Open, Border::Periodic}) {
+    WindSetup setup = bareSetup({70, 50}, 0.5f, border, 1.0f / 60);
+    setup.ambient.speed = 8;
+    const auto gpu = make(setup);
+    for (int n = 0; n < 30; ++n) gpu->step({}, n / 60.0);
+    std::vector<glm::vec2> cells;
+    gpu->readVelocity(cells);
+    for (const glm::vec2 v : cells) {
+      ASSERT_NEAR(v.x, 8.0f, 1e-5f);
+      ASSERT_NEAR(v.y, 0.0f, 1e-5f);
+    }
+  }
+}
+
+TEST_F(GpuSolver, LetsNoAirThroughSolids) {
+  WindSetup setup = usualSetup({96, 64}, 0.5f, Border::Open);
+  setup.field.zMin = setup.field.zMax = Border::Wall;
+  setup.obstacles = {box({24, 16}, {8, 6}, 0)};
+  setup.ambient.speed = 8;
+  setup.ambient.direction = 0;
+  const auto gpu = make(setup);
+  for (int n = 0; n < 60; ++n) gpu->step({}, n / 60.0);
+  std::vector<glm::vec2> cells;
+  gpu->readVelocity(cells);
+  const auto at = [&](int i, int k) { return cells[static_cast<std::size_t>(k * 96 + i)]; };
+  for (int k = 27; k < 37; ++k) {
+    for (int i = 41; i < 55; ++i) EXPECT_EQ(at(i, k), glm::vec2(0)) << i << " " << k;
+  }
+  // A column in front of the solid, and one through the gaps beside it, carry the same air.
+  double before = 0, beside = 0;
+  for (int k = 0; k < 64; ++k) {
+    before += double(at(30, k).x);
+    beside += double(at(48, k).x);
+  }
+  EXPECT_NEAR(beside, before, 1e-3 * before);
+  EXPECT_GT(at(48, 20).x, 8.0f);
+}
+
+TEST_F(GpuSolver, StaysMirrorSymmetric) {
+  const WindSetup setup = [] {
+    WindSetup s = usualSetup({96, 64}, 0.25f, Border::Open);
+    s.ambient = {};
+    return s;
+  }();
+  const auto gpu = make(setup);
+  const std::vector<ArrowForce> arrows = {arrow({4, 8}, {11, 8}, 9, 2), arrow({20, 8}, {13, 8}, 9, 2)};
+  for (int n = 0; n < 90; ++n) gpu->step(arrows, n / 60.0);
+  std::vector<glm::vec2> cells;
+  gpu->readVelocity(cells);
+  std::vector<glm::vec2> mirrored(cells.size());
+  for (std::size_t k = 0; k < 64; ++k) {
+    for (std::size_t i = 0; i < 96; ++i) mirrored[k * 96 + i] = cells[k * 96 + 95 - i] * glm::vec2(-1, 1);
+  }
+  EXPECT_LE(relativeDifference(mirrored, cells), 1e-3);
+}
+
+TEST_F(GpuSolver, RestartGivesTheSameBytes) {
+  const WindSetup setup = usualSetup({80, 80}, 0.25f, Border::Open);
+  const std::vector<ArrowForce> arrows = arrowsOver(setup.field.size);
+  std::vector<glm::vec2> first, second;
+  const auto gpu = make(setup);
+  for (std::vector<glm::vec2>* cells : {&first, &second}) {
+    gpu->reset();
+    for (int n = 0; n < 40; ++n) gpu->step(n < 20 ? std::span<const ArrowForce>{} : arrows, n / 60.0);
+    gpu->readVelocity(*cells);
+  }
+  EXPECT_EQ(first, second);
+}
+
+TEST_F(GpuSolver, TakesAndGivesBackAField) {
+  WindSetup setup = bareSetup({40, 30}, 1.0f, Border::Periodic, 1.0f / 60);
+  const auto gpu = make(setup);
+  std::vector<glm::vec2> given(40 * 30), back;
+  for (std::size_t n = 0; n < given.size(); ++n) {
+    const double phase = 2 * windloom::testing::kPi * double(n % 40) / 40;
+    given[n] = {1.0f, static_cast<float>(std::sin(phase))};
+  }
+  ASSERT_TRUE(gpu->setVelocity(given).ok());
+  gpu->readVelocity(back);
+  EXPECT_LE(relativeDifference(back, given), 1e-3);
+  given[77].y = std::numeric_limits<float>::quiet_NaN();
+  const Status refused = gpu->setVelocity(given);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_NE(refused.error().text().find("(37, 1)"), std::string::npos);
+}
+
+TEST_F(GpuSolver, NewSolidsStopTheAirInsideAtOnce) {
+  WindSetup setup = usualSetup({64, 64}, 0.5f, Border::Open);
+  const auto gpu = make(setup);
+  gpu->step({}, 0);
+  setup.obstacles = {circle({16, 16}, 5)};
+  gpu->configure(setup);
+  std::vector<glm::vec2> cells;
+  gpu->readVelocity(cells);
+  EXPECT_EQ(cells[32 * 64 + 32], glm::vec2(0));
+  EXPECT_NE(cells[32 * 64 + 2], glm::vec2(0));
+  const Comparison result = [&] {
+    gpu->reset();
+    return compare(*gpu, setup, 20);
+  }();
+  EXPECT_LE(result.difference, 1e-3);
+}
+
+TEST_F(GpuSolver, StaysFiniteAndBelowTheLimitInWildSettings) {
+  std::mt19937 random(11);
+  const auto any = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+  const auto border = [&] { return any(0, 1) < 0.5f ? Border::Open : Border::Wall; };
+  for (int round = 0; round < 6; ++round) {
+    WindSetup setup = usualSetup({8 + int(any(0, 60)), 8 + int(any(0, 60))}, any(0.05f, 3), Border::Periodic);
+    if (round % 2 == 0) {
+      setup.field.xMin = border();
+      setup.field.xMax = border();
+    }
+    setup.field.timeStep = any(0.001f, 0.2f);
+    setup.solver.confinement = any(0, 50);
+    setup.solver.dissipation = any(0, 20);
+    setup.solver.viscosity = round % 3 == 0 ? any(0, 100) : 0;
+    setup.ambient.speed = any(0, 90);
+    setup.ambient.gustStrength = any(0, 3);
+    const glm::vec2 size = setup.field.size;
+    setup.obstacles = {circle(size * any(0, 1), size.x * any(0, 0.3f)), box(size * any(0, 1), size * 0.2f, any(0, 90))};
+    const auto gpu = make(setup);
+    std::vector<ArrowForce> arrows = arrowsOver(size);
+    for (ArrowForce& a : arrows) {
+      a.strength *= any(-1000, 1000);
+      a.swirl *= any(-100, 100);
+      a.response = any(0, 1);
+    }
+    for (int n = 0; n < 40; ++n) gpu->step(arrows, n * double(setup.field.timeStep));
+    std::vector<glm::vec2> cells;
+    gpu->readVelocity(cells);
+    for (const glm::vec2 v : cells) ASSERT_LE(glm::length(v), setup.solver.maxSpeed * 1.0001f) << "round " << round;
+    EXPECT_EQ(gpu->diagnostics().nonFiniteCells, 0) << "round " << round;
+  }
+}
+
+TEST_F(GpuSolver, ReportsStagesAndMemory) {
+  const WindSetup setup = usualSetup({64, 64}, 0.5f, Border::Open);
+  const auto gpu = make(setup);
+  gpu->step(arrowsOver(setup.field.size), 0);
+  std::vector<glm::vec2> cells;
+  gpu->readVelocity(cells);
+  const WindDiagnostics& d = gpu->diagnostics();
+  ASSERT_EQ(d.stageMs.size(), 4u);
+  EXPECT_EQ(d.stageMs[0].first, "forces");
+  EXPECT_GT(d.stepMs, 0);
+  EXPECT_GT(d.cycles, 0);
+  EXPECT_GT(gpu->memoryBytes(), 64u * 64u * 4u * 10u);
+}
+
+}  // namespace
+}  // namespace windloom
