@@ -19,9 +19,16 @@ std::uint16_t sideOf(bool blocked, bool border, bool periodic, unsigned link, un
   return static_cast<std::uint16_t>(border && !periodic ? ground : link);
 }
 
+/// Whether the node at the low corner of cell (i, k) touches a solid cell.
+bool solidNode(const WindGrid& g, int i, int k) {
+  const int low = i > 0 ? i - 1 : g.periodicX() ? g.width - 1 : i, before = k > 0 ? k - 1 : g.periodicZ() ? g.height - 1 : k;
+  return g.solidAt(low, before) || g.solidAt(i, before) || g.solidAt(low, k) || g.solidAt(i, k);
+}
+
 std::uint16_t flagsOf(const WindGrid& g, int i, int k) {
-  if (g.solidAt(i, k)) return WIND_SOLID;
-  return static_cast<std::uint16_t>(
+  const unsigned node = solidNode(g, i, k) ? WIND_SOLID_NODE : 0;
+  if (g.solidAt(i, k)) return static_cast<std::uint16_t>(WIND_SOLID | node);
+  return static_cast<std::uint16_t>(node |
       sideOf(g.blockedX(i, k), i == 0, g.periodicX(), WIND_LINK_X_LOW, WIND_GROUND_X_LOW) |
       sideOf(g.blockedX(i + 1, k), i + 1 == g.width, g.periodicX(), WIND_LINK_X_HIGH, WIND_GROUND_X_HIGH) |
       sideOf(g.blockedZ(i, k), k == 0, g.periodicZ(), WIND_LINK_Z_LOW, WIND_GROUND_Z_LOW) |

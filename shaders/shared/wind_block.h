@@ -11,7 +11,8 @@ WL_SHARED_BEGIN
 #define WIND_BORDER_WALL 1
 #define WIND_BORDER_PERIODIC 2
 
-// Cell flags: neighbours that air reaches, sides that are open to the ground (p = 0), solid.
+// Cell flags: neighbours that air reaches, sides that are open to the ground (p = 0), solid, and whether the node at the cell's
+// low corner touches a solid cell.
 #define WIND_LINK_X_LOW 1u
 #define WIND_LINK_X_HIGH 2u
 #define WIND_LINK_Z_LOW 4u
@@ -21,6 +22,7 @@ WL_SHARED_BEGIN
 #define WIND_GROUND_Z_LOW 64u
 #define WIND_GROUND_Z_HIGH 128u
 #define WIND_SOLID 256u
+#define WIND_SOLID_NODE 512u
 #define WIND_ALL_LINKS 15u
 
 // Uniform buffers.

@@ -45,6 +45,7 @@ void loadFlux(inout float sums[SUM_COUNT]) {
     loadStencil(n, place);
     cells[n].d = place.x >= 0 ? phi[levelCell(place)] : 0.0;
   }
+  findIrregular();
   publish();
   int at = scratchAt(0);
   for (int n = 0; n < WIND_STRIP; ++n) {
@@ -92,6 +93,7 @@ void load() {
     cells[n].d = place.x >= 0 ? dIn[levelCell(place)] : 0.0;
 #endif
   }
+  findIrregular();
 }
 #endif
 

@@ -68,6 +68,7 @@ void main() {
     cells[n].b = there ? flux[levelCell(place)] : 0.0;
     cells[n].d = cells[n].inverse > 0.0 ? dIn[levelCell(place)] + correctionAt(place) : 0.0;
   }
+  findIrregular();
   publish();
   for (int m = WIND_GPU_SWEEPS - 1; m >= 0; --m) sweep(smoothingWeight(m));
   for (int n = 0; n < WIND_STRIP; ++n) {

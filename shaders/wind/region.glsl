@@ -13,6 +13,9 @@ layout(std430, binding = WIND_SSBO_INVERSE) readonly buffer Inverse { float inve
 
 #define GROUP_SIZE (WIND_REGION * WIND_STRIPS)
 shared float scratch[WIND_REGION * WIND_REGION];
+#ifdef LEVEL0
+shared uint irregular;  // 1: some cell of the region is solid, or next to a solid or border
+#endif
 
 struct Cell {
   float d, b;
@@ -63,7 +66,8 @@ void loadStencil(int n, ivec2 place) {
   cells[n].flags = flags;
   cells[n].inverse = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
 }
-float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(int n, bool regular, float xLow, float xHigh, float zLow, float zHigh) {
+  if (regular) return (xLow + xHigh) * (wind.hz * wind.perHx) + (zLow + zHigh) * (wind.hx * wind.perHz);
   uint flags = cells[n].flags;
   float x = ((flags & WIND_LINK_X_LOW) != 0u ? xLow : 0.0) + ((flags & WIND_LINK_X_HIGH) != 0u ? xHigh : 0.0);
   float z = ((flags & WIND_LINK_Z_LOW) != 0u ? zLow : 0.0) + ((flags & WIND_LINK_Z_HIGH) != 0u ? zHigh : 0.0);
@@ -80,10 +84,21 @@ void loadStencil(int n, ivec2 place) {
   cells[n].zHigh = there ? faces[node + level.width + 1].y : 0.0;
   cells[n].inverse = there ? inverseDiagonal[levelCell(place)] : 0.0;
 }
-float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(int n, bool regular, float xLow, float xHigh, float zLow, float zHigh) {
   return (cells[n].xLow * xLow + cells[n].xHigh * xHigh) + (cells[n].zLow * zLow + cells[n].zHigh * zHigh);
 }
 #endif
+
+// After the stencils are loaded.
+void findIrregular() {
+#ifdef LEVEL0
+  if (gl_LocalInvocationIndex == 0u) irregular = 0u;
+  barrier();
+  uint shape = WIND_ALL_LINKS;
+  for (int n = 0; n < WIND_STRIP; ++n) shape = cells[n].flags == WIND_ALL_LINKS ? shape : 0u;
+  if (shape == 0u) irregular = 1u;
+#endif
+}
 
 // Lets the others of the work-group see the cells' d.
 void publish() {
@@ -93,6 +108,11 @@ void publish() {
 
 // Sum of conductance times neighbour of each cell of the strip, from what was published.
 void gather(out float sums[WIND_STRIP]) {
+#ifdef LEVEL0
+  bool regular = irregular == 0u;
+#else
+  const bool regular = false;
+#endif
   int at = scratchAt(0);
   int toLow = localX() > 0 ? -1 : 0, toHigh = localX() < WIND_REGION - 1 ? 1 : 0;
   float before = localZ(0) > 0 ? scratch[at - WIND_REGION] : 0.0;
@@ -101,7 +121,7 @@ void gather(out float sums[WIND_STRIP]) {
     int mine = at + n * WIND_REGION;
     float zLow = n > 0 ? cells[max(n - 1, 0)].d : before;
     float zHigh = n < WIND_STRIP - 1 ? cells[min(n + 1, WIND_STRIP - 1)].d : after;
-    sums[n] = neighbours(n, scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
+    sums[n] = neighbours(n, regular, scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
   }
 }
 
