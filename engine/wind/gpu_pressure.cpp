@@ -11,6 +11,7 @@ namespace windloom {
 namespace {
 
 constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples of this on every driver
+constexpr CoarseningRule kCoarsening = WIND_GPU_COARSENING == 4 ? coarseningByFour : coarseningOf;
 constexpr std::size_t kTailCommand = WIND_MAX_LEVELS - 1;
 
 std::size_t commandOffset(std::size_t level) { return offsetof(shared::WindControl, groups) + level * 4 * sizeof(shared::uint); }
@@ -92,7 +93,7 @@ Result<GpuPressure> GpuPressure::create(GpuFields& fields, gpu::ShaderLibrary& s
 }
 
 Status GpuPressure::rebuild(GpuFields& fields) {
-  std::vector<PressureLevel> levels = buildPressureLevels(fields.grid, coarseningByFour, FinestLevel::SizeOnly);
+  std::vector<PressureLevel> levels = buildPressureLevels(fields.grid, kCoarsening, FinestLevel::SizeOnly);
   if (levels.size() == 1) {  // one cell: a second level like it keeps the passes the same
     levels = buildPressureLevels(fields.grid);
     levels.push_back(levels.front());

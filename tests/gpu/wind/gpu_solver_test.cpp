@@ -292,6 +292,69 @@ TEST_F(GpuSolver, StaysFiniteAndBelowTheLimitInWildSettings) {
   }
 }
 
+TEST_F(GpuSolver, SumsThousandsOfArrowsLikeTheCpu) {
+  const WindSetup setup = usualSetup({96, 96}, 0.5f, Border::Open);
+  std::mt19937 random(5);
+  const auto any = [&](float low, float high) { return std::uniform_real_distribution<float>(low, high)(random); };
+  std::vector<ArrowForce> arrows;
+  for (int n = 0; n < 3000; ++n) {
+    const glm::vec2 from(any(0, 48), any(0, 48));
+    arrows.push_back(arrow(from, from + glm::vec2(any(0.2f, 2), any(-2, 2)), any(0, 8), any(0.3f, 1.5f)));
+  }
+  const auto gpu = make(setup);
+  auto cpu = makeCpuWindSolver(setup, 1);
+  ASSERT_TRUE(cpu.ok());
+  for (int n = 0; n < 12; ++n) {
+    if (n == 4) arrows.resize(2500);                                 // some went
+    if (n == 8) arrows[7].to += glm::vec2(3, 1);                     // one moved
+    for (ArrowForce& a : arrows) a.factor = 0.5f + 0.5f * float(n) / 12;  // all changed their strength
+    gpu->step(arrows, n / 60.0);
+    (*cpu)->step(arrows, n / 60.0);
+  }
+  std::vector<glm::vec2> onGpu, onCpu;
+  gpu->readVelocity(onGpu);
+  (*cpu)->readVelocity(onCpu);
+  EXPECT_LE(relativeDifference(onGpu, onCpu), 1e-3);
+}
+
+/// How much of a purely divergent mode along x one projection leaves, as a part of its amplitude.
+double leftOfMode(WindSolver& solver, int width, int height, double wavelength) {
+  std::vector<glm::vec2> mode(static_cast<std::size_t>(width * height)), cells;
+  for (std::size_t n = 0; n < mode.size(); ++n) {
+    const double x = double(n % static_cast<std::size_t>(width)) + 0.5;
+    mode[n] = {static_cast<float>(std::sin(2 * windloom::testing::kPi * x / wavelength)), 0.0f};
+  }
+  EXPECT_TRUE(solver.setVelocity(mode).ok());
+  solver.step({}, 0);
+  solver.readVelocity(cells);
+  double left = 0, size = 0;
+  for (std::size_t n = 0; n < mode.size(); ++n) {
+    left += double(glm::dot(cells[n], cells[n]));
+    size += double(glm::dot(mode[n], mode[n]));
+  }
+  return std::sqrt(left / size);
+}
+
+TEST_F(GpuSolver, TakesDivergentModesOfEveryWavelength) {
+  // So short a step that advection does nothing; walls where the modes end.
+  const WindSetup setup = bareSetup({256, 64}, 1.0f, Border::Wall, 1e-6f);
+  const auto gpu = make(setup);
+  for (const double wavelength : {512.0, 128.0, 32.0}) EXPECT_LE(leftOfMode(*gpu, 256, 64, wavelength), 1e-3) << wavelength;
+}
+
+TEST_F(GpuSolver, KeepsWithinTheMemoryBarOfAMillionCells) {
+  const auto gpu = make(usualSetup({1000, 1000}, 0.1f, Border::Open));
+  EXPECT_LE(gpu->memoryBytes(), 64'000'000u);
+}
+
+TEST_F(GpuSolver, RefusesAGridThatCannotBe) {
+  WindSetup setup = usualSetup({64, 64}, 0.5f, Border::Open);
+  setup.field.xMin = Border::Periodic;
+  const auto made = makeGpuWindSolver(setup, context(), shaders());
+  ASSERT_FALSE(made.ok());
+  EXPECT_EQ(made.error().kind, ErrorKind::BadInput);
+}
+
 TEST_F(GpuSolver, ReportsStagesAndMemory) {
   const WindSetup setup = usualSetup({64, 64}, 0.5f, Border::Open);
   const auto gpu = make(setup);
