@@ -1,0 +1,228 @@
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <optional>
+
+#include "engine/cli/common.hpp"
+#include "engine/cli/interrupt.hpp"
+#include "engine/cli/progress.hpp"
+#include "engine/cli/verbs.hpp"
+#include "engine/core/text.hpp"
+#include "engine/gpu/context.hpp"
+#include "engine/gpu/framebuffer.hpp"
+#include "engine/gpu/shader_library.hpp"
+#include "engine/io/image.hpp"
+#include "engine/render/framing.hpp"
+#include "engine/session/session.hpp"
+
+namespace windloom::cli {
+namespace {
+
+constexpr int kMaxSide = 16384;   // pixels
+constexpr int kMaxCells = 4096;   // per side, as for a field
+constexpr int kMaxFrames = 100'000;
+constexpr double kSlice = 0.25;   // s of simulated time between looks at Ctrl+C
+
+struct Options : CommonOptions {
+  std::string file, out, camera, grass;
+  std::string size = "1280x720", resolution;
+  std::vector<std::string> overlays;
+  double time = 0, fps = 30, detail = 1;
+  std::optional<double> density;
+  int frames = 1;
+};
+
+std::optional<glm::ivec2> parsePair(const std::string& text, int most) {
+  const auto cross = text.find_first_of("xX");
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parseNumber(text.substr(0, cross)), height = parseNumber(text.substr(cross + 1));
+  const auto sensible = [most](const std::optional<double>& side) {
+    return side && *side >= 8 && *side <= most && *side == std::floor(*side);
+  };
+  if (!sensible(width) || !sensible(height)) return std::nullopt;
+  return glm::ivec2(*width, *height);
+}
+
+Error usage(const std::string& message) { return makeError(ErrorKind::Usage, message); }
+
+Result<Overlays> overlaysOf(const Options& options) {
+  Overlays overlays;
+  overlays.arrows = false;
+  for (const std::string& name : options.overlays) {
+    if (name == "none") continue;
+    if (name == "arrows") overlays.arrows = true;
+    else if (name == "vectors") overlays.vectors = true;
+    else if (name == "speed") overlays.speed = true;
+    else return usage("--overlay: found '" + name + "', expected arrows, vectors, speed or none");
+  }
+  return overlays;
+}
+
+Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
+  const std::vector<Camera>& cameras = *project.cameras;
+  if (options.camera.empty()) return cameras.empty() ? frameField(*project.field) : viewThrough(cameras.front());
+  std::string names = "above";
+  for (const Camera& camera : cameras) {
+    if (camera.name == options.camera) return viewThrough(camera);
+    names += ", " + camera.name;
+  }
+  if (options.camera == "above") return frameFieldFromAbove(*project.field);
+  return usage("--camera: found '" + options.camera + "', expected one of " + names);
+}
+
+/// The project as it is to be shown: other resolution or density where asked for.
+Result<Project> projectOf(const Options& options) {
+  Result<Project> project = loadWithWarnings(options.file);
+  if (!project) return project;
+  if (!options.resolution.empty()) {
+    const auto cells = parsePair(options.resolution, kMaxCells);
+    if (!cells) return usage("--resolution: found '" + options.resolution + "', expected WxH of 8 to 4096 cells");
+    FieldSettings field = *project->field;
+    field.resolution = *cells;
+    project->field = std::make_shared<FieldSettings>(field);
+  }
+  if (options.density) {
+    GrassSettings grass = *project->grass;
+    grass.density = static_cast<float>(*options.density);
+    project->grass = std::make_shared<GrassSettings>(grass);
+  }
+  return project;
+}
+
+/// IMG.png, or IMG.0000.png and so on where there are several.
+std::filesystem::path imagePath(const Options& options, int frame) {
+  std::filesystem::path path(options.out);
+  if (options.frames == 1) return path;
+  char number[16];
+  std::snprintf(number, sizeof number, ".%04d", frame);
+  const std::string extension = path.extension().string();
+  path.replace_extension();
+  path += number + extension;
+  return path;
+}
+
+Status savePicture(const gpu::Framebuffer& target, const std::filesystem::path& path) {
+  const std::vector<unsigned char> rgba = target.readRgba8();
+  Image image(target.size().x, target.size().y, 3);
+  for (std::size_t i = 0; i * 4 < rgba.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
+  }
+  return writePng(path, image);
+}
+
+/// False where the user interrupted.
+bool simulateTo(Session& session, double until, double end, Progress& progress) {
+  while (session.time() + 1e-9 < until) {
+    if (interrupted()) return false;
+    const double before = session.time();
+    session.runTo(std::min(until, before + kSlice));
+    if (session.time() <= before) break;  // less than half a step away
+    progress.show("simulating", end > 0 ? session.time() / end : 1.0);
+  }
+  return !interrupted();
+}
+
+struct Studio {
+  std::unique_ptr<gpu::Context> context;
+  std::unique_ptr<gpu::ShaderLibrary> shaders;
+  gpu::Framebuffer target;
+  std::unique_ptr<Session> session;
+};
+
+Result<Studio> openStudio(const Options& options, const Project& project, glm::ivec2 size) {
+  Studio studio;
+  Result<std::unique_ptr<gpu::Context>> context = gpu::createOffscreenContext();
+  if (!context) return context.error();
+  studio.context = std::move(*context);
+  Result<std::unique_ptr<gpu::ShaderLibrary>> shaders = gpu::ShaderLibrary::create();
+  if (!shaders) return shaders.error();
+  studio.shaders = std::move(*shaders);
+  Result<gpu::Framebuffer> target = gpu::Framebuffer::create("picture", size, {.colour = GL_RGBA8, .depth = 0});
+  if (!target) return target.error();
+  studio.target = std::move(*target);
+  SessionOptions sessionOptions;
+  sessionOptions.context = studio.context.get();
+  sessionOptions.shaders = studio.shaders.get();
+  sessionOptions.backend = options.backend;
+  sessionOptions.liveGrid = LiveGrid::Full;
+  Result<std::unique_ptr<Session>> session = Session::create(project, sessionOptions);
+  if (!session) return session.error();
+  studio.session = std::move(*session);
+  return studio;
+}
+
+void report(const Options& options, const Studio& studio, const std::vector<std::string>& images) {
+  const SessionStatus& status = studio.session->status();
+  if (!options.json) {
+    for (const std::string& image : images) std::printf("%s\n", image.c_str());
+    return;
+  }
+  printJson({{"ok", true},
+             {"file", options.file},
+             {"images", images},
+             {"time", studio.session->time()},
+             {"backend", status.backend == Backend::Gpu ? "gpu" : "cpu"},
+             {"resolution", {status.liveResolution.x, status.liveResolution.y}},
+             {"renderer", studio.context->info().renderer},
+             {"blades", status.frame.bladesTotal}});
+}
+
+int render(const Options& options) {
+  if (!options.grass.empty() && options.grass != "instanced") {
+    return reportError(usage("--grass: found '" + options.grass + "', expected instanced"), options);
+  }
+  const auto size = parsePair(options.size, kMaxSide);
+  if (!size) return reportError(usage("--size: found '" + options.size + "', expected WxH of 8 to 16384 pixels"), options);
+  const Result<Overlays> overlays = overlaysOf(options);
+  if (!overlays) return reportError(overlays.error(), options);
+  const Result<Project> project = projectOf(options);
+  if (!project) return reportError(project.error(), options);
+  const Result<ViewCamera> camera = cameraOf(options, *project);
+  if (!camera) return reportError(camera.error(), options);
+  Result<Studio> studio = openStudio(options, *project, *size);
+  if (!studio) return reportError(studio.error(), options);
+
+  noteInterrupts();
+  Progress progress;
+  Session::View view;
+  view.camera = *camera;
+  view.size = *size;
+  view.framebuffer = studio->target.name();
+  view.overlays = *overlays;
+  view.quality.detail = static_cast<float>(options.detail);
+  std::vector<std::string> images;
+  const double end = options.time + (options.frames - 1) / options.fps;
+  for (int frame = 0; frame < options.frames; ++frame) {
+    if (!simulateTo(*studio->session, options.time + frame / options.fps, end, progress)) return kExitInterrupted;
+    studio->session->draw(view);
+    const std::filesystem::path path = imagePath(options, frame);
+    if (const Status saved = savePicture(studio->target, path); !saved) return reportError(saved.error(), options);
+    images.push_back(path.string());
+  }
+  report(options, *studio, images);
+  return kExitDone;
+}
+
+}  // namespace
+
+VerbAction makeRenderVerb(CLI::App& app) {
+  auto options = std::make_shared<Options>();
+  app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
+  app.add_option("--out", options->out, "Picture to write; several become IMG.0000.png and so on")->type_name("IMG.png")->required();
+  app.add_option("--time", options->time, "Moment of the (first) picture in seconds")->type_name("S")->check(CLI::Range(0.0, 1e6));
+  app.add_option("--frames", options->frames, "How many pictures")->type_name("N")->check(CLI::Range(1, kMaxFrames));
+  app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")->type_name("N")->check(CLI::Range(0.01, 1000.0));
+  app.add_option("--size", options->size, "Pixels (default 1280x720)")->type_name("WxH");
+  app.add_option("--camera", options->camera, "Camera of the project, or above (default: the first, else one that shows the field)")
+      ->type_name("NAME");
+  app.add_option("--overlay", options->overlays, "arrows, vectors, speed; none (the default)")->type_name("NAME[,NAME]")->delimiter(',');
+  app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
+  app.add_option("--grass", options->grass, "Kind of grass: instanced")->type_name("KIND");
+  app.add_option("--density", options->density, "Blades per square metre instead of the project's")->type_name("N")->check(CLI::Range(0.0, 5000.0));
+  app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")->type_name("D")->check(CLI::Range(0.02, 1.0));
+  addCommonOptions(app, *options);
+  app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
+  return [options] { return render(*options); };
+}
+
+}  // namespace windloom::cli

@@ -1,0 +1,17 @@
+#pragma once
+// Cameras for pictures.
+
+#include "engine/model/project.hpp"
+#include "engine/render/view_camera.hpp"
+
+namespace windloom {
+
+ViewCamera viewThrough(const Camera& camera);
+
+/// Shows the whole field from a hill to its south (+Z), against the light.
+ViewCamera frameField(const FieldSettings& field);
+
+/// Straight down on the whole field, orthographic, -Z up in the picture.
+ViewCamera frameFieldFromAbove(const FieldSettings& field);
+
+}  // namespace windloom
