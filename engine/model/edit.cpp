@@ -5,6 +5,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "engine/model/id_index.hpp"
 #include "engine/model/validate.hpp"
 
 namespace windloom {
@@ -18,15 +19,19 @@ Id keyOf(const Signal& signal) {
   return signal.root;
 }
 
-/// A list of records under edit, with its ids looked up by hash: built once per edit, on first use.
+/// A list of records under edit; its ids are looked up once, when they are first needed.
 template <class Record>
 class Draft {
  public:
   explicit Draft(std::vector<Record> records) : m_records(std::move(records)) {}
 
   void put(const Record& record) {
-    indexAll();
-    const auto [place, fresh] = m_index.emplace(keyOf(record), m_records.size());
+    if (!m_index) m_index.emplace(m_records, [](const Record& r) { return keyOf(r); });
+    if (const auto place = m_index->find(keyOf(record))) {
+      m_records[*place] = record;
+      return;
+    }
+    const auto [place, fresh] = m_added.emplace(keyOf(record), m_records.size());
     if (fresh) {
       m_records.push_back(record);
     } else {
@@ -36,23 +41,17 @@ class Draft {
 
   template <class Predicate>
   void erase(Predicate&& goes) {
-    if (std::erase_if(m_records, goes) > 0) m_indexed = false;
+    if (std::erase_if(m_records, goes) == 0) return;
+    m_index.reset();
+    m_added.clear();
   }
 
   [[nodiscard]] std::vector<Record> take() { return std::move(m_records); }
 
  private:
-  void indexAll() {
-    if (m_indexed) return;
-    m_index.clear();
-    m_index.reserve(m_records.size() + 1);
-    for (std::size_t i = 0; i < m_records.size(); ++i) m_index.emplace(keyOf(m_records[i]), i);
-    m_indexed = true;
-  }
-
   std::vector<Record> m_records;
-  std::unordered_map<Id, std::size_t> m_index;
-  bool m_indexed = false;
+  std::optional<IdIndex> m_index;               // of the records that were there when it was made
+  std::unordered_map<Id, std::size_t> m_added;  // of those put since
 };
 
 /// A project under edit. A part is copied when a step first touches it; the others stay shared.

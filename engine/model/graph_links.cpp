@@ -1,6 +1,6 @@
 #include "engine/model/graph_links.hpp"
 
-#include <unordered_map>
+#include "engine/model/id_index.hpp"
 
 namespace windloom {
 
@@ -9,15 +9,13 @@ GraphLinks::GraphLinks(const WindGraph& graph)
       to(graph.arrows.size(), kNone),
       incoming(graph.points.size(), 0),
       m_first(graph.points.size() + 1, 0) {
-  std::unordered_map<Id, std::uint32_t> index;
-  index.reserve(graph.points.size());
-  for (std::uint32_t i = 0; i < graph.points.size(); ++i) index.emplace(graph.points[i].id, i);
+  const IdIndex index(graph.points);
   for (std::uint32_t a = 0; a < graph.arrows.size(); ++a) {
     const auto begin = index.find(graph.arrows[a].from);
     const auto end = index.find(graph.arrows[a].to);
-    if (begin == index.end() || end == index.end()) continue;
-    from[a] = begin->second;
-    to[a] = end->second;
+    if (!begin || !end) continue;
+    from[a] = *begin;
+    to[a] = *end;
     ++incoming[to[a]];
     ++m_first[from[a] + 1];
   }

@@ -75,6 +75,8 @@ struct Obstacle {
   float height = 2.0f;           ///< m; how high it is drawn
   bool hidden = false, muted = false, locked = false;
   std::string extra;
+
+  bool operator==(const Obstacle&) const = default;
 };
 
 /// A place where the wind is watched.
@@ -84,6 +86,8 @@ struct Probe {
   glm::vec2 position{0.0f, 0.0f};  ///< m
   bool hidden = false, locked = false;
   std::string extra;
+
+  bool operator==(const Probe&) const = default;
 };
 
 struct Camera {
@@ -93,6 +97,8 @@ struct Camera {
   glm::vec3 target{0.0f, 0.0f, 0.0f};      ///< m
   float fieldOfView = 45.0f;               ///< deg, vertical
   std::string extra;
+
+  bool operator==(const Camera&) const = default;
 };
 
 enum class TerrainKind { Flat };

@@ -1,9 +1,11 @@
 #include "engine/model/validate.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <unordered_map>
 
 #include "engine/core/text.hpp"
+#include "engine/model/id_index.hpp"
 #include "engine/model/parameters.hpp"
 
 namespace windloom {
@@ -35,13 +37,16 @@ void checkPart(Problems& problems, const Owner& part, const char* pointer) {
   checkParameters(problems, part, [pointer] { return std::string(pointer); });
 }
 
+/// A record that stands in `valid` at the same place as it is needs no reading; `valid` may be null.
 template <class Record>
-void checkRecords(Problems& problems, const std::vector<Record>& records, const char* list, std::size_t limit) {
+void checkRecords(Problems& problems, const std::vector<Record>& records, const std::vector<Record>* valid,
+                  const char* list, std::size_t limit) {
   if (records.size() > limit) {
     add(problems, list, "holds " + std::to_string(records.size()) + ", expected at most " + std::to_string(limit));
     return;
   }
   for (std::size_t i = 0; i < records.size(); ++i) {
+    if (valid != nullptr && i < valid->size() && records[i] == (*valid)[i]) continue;
     checkParameters(problems, records[i], [&] { return at(list, i); });
   }
 }
@@ -58,36 +63,47 @@ void checkBorders(Problems& problems, const FieldSettings& field) {
   pair(field.zMin, field.zMax, "zMin", "zMax");
 }
 
-using Places = std::unordered_map<Id, const Point*>;
-
-std::string pointProblem(const Places& points, Id id) {
-  return points.contains(id) ? std::string() : "there is no point " + std::to_string(id);
+std::string missingPoint(Id id) {
+  return "there is no point " + std::to_string(id);
 }
 
-void checkArrows(Problems& problems, const std::vector<Arrow>& arrows, const Places& points) {
-  std::unordered_map<std::uint64_t, std::size_t> byEnds;
-  byEnds.reserve(arrows.size());
-  for (std::size_t i = 0; i < arrows.size(); ++i) {
-    const Arrow& arrow = arrows[i];
+std::string endsOf(const Arrow& arrow) {
+  return std::to_string(arrow.from) + " and " + std::to_string(arrow.to);
+}
+
+/// For each arrow the first one with the same ends; itself where there is none before it.
+std::vector<std::uint32_t> firstTwins(const std::vector<Arrow>& arrows) {
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> byEnds(arrows.size());
+  std::vector<std::uint32_t> twins(arrows.size());
+  for (std::uint32_t i = 0; i < arrows.size(); ++i) {
+    byEnds[i] = {std::uint64_t{arrows[i].from} << 32 | arrows[i].to, i};
+    twins[i] = i;
+  }
+  std::ranges::sort(byEnds);
+  for (std::size_t k = 1; k < byEnds.size(); ++k) {
+    if (byEnds[k].first == byEnds[k - 1].first) twins[byEnds[k].second] = twins[byEnds[k - 1].second];
+  }
+  return twins;
+}
+
+void checkArrows(Problems& problems, const WindGraph& graph, const IdIndex& points) {
+  const std::vector<std::uint32_t> twins = firstTwins(graph.arrows);
+  for (std::size_t i = 0; i < graph.arrows.size(); ++i) {
+    const Arrow& arrow = graph.arrows[i];
     const auto from = points.find(arrow.from);
     const auto to = points.find(arrow.to);
-    if (from == points.end()) add(problems, at("/graph/arrows", i, "from"), pointProblem(points, arrow.from));
-    if (to == points.end()) add(problems, at("/graph/arrows", i, "to"), pointProblem(points, arrow.to));
-    if (from == points.end() || to == points.end()) continue;
+    if (!from) add(problems, at("/graph/arrows", i, "from"), missingPoint(arrow.from));
+    if (!to) add(problems, at("/graph/arrows", i, "to"), missingPoint(arrow.to));
+    if (!from || !to) continue;
     if (arrow.from == arrow.to) {
       add(problems, at("/graph/arrows", i, "to"), "is the point the arrow begins at, expected another one");
-      continue;
-    }
-    if (glm::distance(from->second->position, to->second->position) < kMinArrowLengthM) {
+    } else if (glm::distance(graph.points[*from].position, graph.points[*to].position) < kMinArrowLengthM) {
       add(problems, at("/graph/arrows", i),
-          "has no length: points " + std::to_string(arrow.from) + " and " + std::to_string(arrow.to) +
-              " lie at the same place, expected at least " + shortest(kMinArrowLengthM) + " m between them");
-    }
-    const auto [other, fresh] = byEnds.emplace(std::uint64_t{arrow.from} << 32 | arrow.to, i);
-    if (!fresh) {
+          "has no length: points " + endsOf(arrow) + " lie at the same place, expected at least " +
+              shortest(kMinArrowLengthM) + " m between them");
+    } else if (twins[i] != i) {
       add(problems, at("/graph/arrows", i),
-          "leads from " + std::to_string(arrow.from) + " to " + std::to_string(arrow.to) + " as arrow " +
-              std::to_string(arrows[other->second].id) + " already does");
+          "joins points " + endsOf(arrow) + " as arrow " + std::to_string(graph.arrows[twins[i]].id) + " already does");
     }
   }
 }
@@ -120,11 +136,12 @@ void checkKeys(Problems& problems, const Signal& signal, std::size_t index) {
   }
 }
 
-void checkSignals(Problems& problems, const std::vector<Signal>& signals, const Places& points) {
+void checkSignals(Problems& problems, const std::vector<Signal>& signals, const IdIndex& points) {
   std::unordered_map<Id, std::size_t> byRoot;
   for (std::size_t i = 0; i < signals.size(); ++i) {
-    const std::string missing = pointProblem(points, signals[i].root);
-    if (!missing.empty()) add(problems, at("/graph/signals", i, "root"), missing);
+    if (!points.find(signals[i].root)) {
+      add(problems, at("/graph/signals", i, "root"), missingPoint(signals[i].root));
+    }
     const auto [other, fresh] = byRoot.emplace(signals[i].root, i);
     if (!fresh) {
       add(problems, at("/graph/signals", i, "root"),
@@ -135,20 +152,18 @@ void checkSignals(Problems& problems, const std::vector<Signal>& signals, const 
   }
 }
 
-void checkGraph(Problems& problems, const WindGraph& graph) {
-  checkRecords(problems, graph.points, "/graph/points", kMaxPoints);
-  checkRecords(problems, graph.arrows, "/graph/arrows", kMaxArrows);
-  checkRecords(problems, graph.signals, "/graph/signals", kMaxPoints);
+void checkGraph(Problems& problems, const WindGraph& graph, const WindGraph* valid) {
+  checkRecords(problems, graph.points, valid ? &valid->points : nullptr, "/graph/points", kMaxPoints);
+  checkRecords(problems, graph.arrows, valid ? &valid->arrows : nullptr, "/graph/arrows", kMaxArrows);
+  checkRecords(problems, graph.signals, valid ? &valid->signals : nullptr, "/graph/signals", kMaxPoints);
   if (graph.points.size() > kMaxPoints || graph.arrows.size() > kMaxArrows) return;
-  Places points;
-  points.reserve(graph.points.size());
-  for (const Point& point : graph.points) points.emplace(point.id, &point);
-  checkArrows(problems, graph.arrows, points);
+  const IdIndex points(graph.points);
+  checkArrows(problems, graph, points);
   checkSignals(problems, graph.signals, points);
 }
 
 void checkCameras(Problems& problems, const std::vector<Camera>& cameras) {
-  checkRecords(problems, cameras, "/cameras", kMaxCameras);
+  checkRecords<Camera>(problems, cameras, nullptr, "/cameras", kMaxCameras);
   for (std::size_t i = 0; i < cameras.size() && i < kMaxCameras; ++i) {
     if (glm::distance(cameras[i].position, cameras[i].target) < 1e-3f) {
       add(problems, at("/cameras", i, "target"), "is the place of the camera itself, expected a place to look at");
@@ -156,40 +171,37 @@ void checkCameras(Problems& problems, const std::vector<Camera>& cameras) {
   }
 }
 
-/// Ids are unique over all kinds of records.
-class UsedIds {
- public:
-  explicit UsedIds(const Project& project) {
-    m_used.reserve(project.graph->points.size() + project.graph->arrows.size() + project.obstacles->size() +
-                   project.probes->size() + project.cameras->size());
-  }
-
-  template <class Record>
-  void take(Problems& problems, const std::vector<Record>& records, const char* list) {
-    for (std::size_t i = 0; i < records.size(); ++i) {
-      const auto [first, fresh] = m_used.emplace(records[i].id, Place{list, i});
-      if (fresh || records[i].id == 0) continue;
-      add(problems, at(list, i, "id"),
-          "id " + std::to_string(records[i].id) + " is used already, at " +
-              at(first->second.list, first->second.index));
-    }
-  }
-
- private:
-  struct Place {
-    const char* list;
-    std::size_t index;
-  };
-  std::unordered_map<Id, Place> m_used;
+struct IdPlace {
+  Id id;
+  const char* list;
+  std::size_t index;
 };
 
+std::vector<IdPlace> idPlaces(const Project& project) {
+  std::vector<IdPlace> places;
+  places.reserve(project.graph->points.size() + project.graph->arrows.size() + project.obstacles->size() +
+                 project.probes->size() + project.cameras->size());
+  const auto take = [&](const auto& records, const char* list) {
+    for (std::size_t i = 0; i < records.size(); ++i) places.push_back({records[i].id, list, i});
+  };
+  take(project.graph->points, "/graph/points");
+  take(project.graph->arrows, "/graph/arrows");
+  take(*project.obstacles, "/obstacles");
+  take(*project.probes, "/probes");
+  take(*project.cameras, "/cameras");
+  return places;
+}
+
+/// Ids are unique over all kinds of records.
 void checkIds(Problems& problems, const Project& project) {
-  UsedIds used(project);
-  used.take(problems, project.graph->points, "/graph/points");
-  used.take(problems, project.graph->arrows, "/graph/arrows");
-  used.take(problems, *project.obstacles, "/obstacles");
-  used.take(problems, *project.probes, "/probes");
-  used.take(problems, *project.cameras, "/cameras");
+  const std::vector<IdPlace> places = idPlaces(project);
+  const IdIndex firsts(places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const std::size_t first = firsts.find(places[i].id).value_or(static_cast<std::uint32_t>(i));
+    if (first == i || places[i].id == 0) continue;
+    add(problems, at(places[i].list, places[i].index, "id"),
+        "id " + std::to_string(places[i].id) + " is used already, at " + at(places[first].list, places[first].index));
+  }
 }
 
 void checkBlades(Problems& problems, const Project& project) {
@@ -214,11 +226,13 @@ Problems validateParts(const Project& project, const Project* valid) {
   }
   if (changed(&Project::solver)) checkPart(problems, *project.solver, "/solver");
   if (changed(&Project::ambient)) checkPart(problems, *project.ambient, "/ambient");
-  if (changed(&Project::graph)) checkGraph(problems, *project.graph);
-  if (changed(&Project::obstacles)) checkRecords(problems, *project.obstacles, "/obstacles", kMaxObstacles);
+  if (changed(&Project::graph)) checkGraph(problems, *project.graph, valid ? valid->graph.get() : nullptr);
+  if (changed(&Project::obstacles))
+    checkRecords(problems, *project.obstacles, valid ? valid->obstacles.get() : nullptr, "/obstacles", kMaxObstacles);
   if (changed(&Project::terrain)) checkPart(problems, *project.terrain, "/terrain");
   if (changed(&Project::grass)) checkPart(problems, *project.grass, "/grass");
-  if (changed(&Project::probes)) checkRecords(problems, *project.probes, "/probes", kMaxProbes);
+  if (changed(&Project::probes))
+    checkRecords(problems, *project.probes, valid ? valid->probes.get() : nullptr, "/probes", kMaxProbes);
   if (changed(&Project::cameras)) checkCameras(problems, *project.cameras);
   if (changed(&Project::field) || changed(&Project::grass)) checkBlades(problems, project);
   if (changed(&Project::graph) || changed(&Project::obstacles) || changed(&Project::probes) ||

@@ -18,6 +18,8 @@ struct Point {
   glm::vec2 position{0.0f, 0.0f};  ///< (x, z), m
   bool root = false;               ///< marks the root of a ring; other roots are found by having no incoming arrow
   std::string extra;
+
+  bool operator==(const Point&) const = default;
 };
 
 enum class Drive {
@@ -42,6 +44,8 @@ struct Arrow {
   float travelSpeed = 10.0f;  ///< m/s at which the signal passes along this arrow
   bool hidden = false, muted = false, locked = false;
   std::string extra;
+
+  bool operator==(const Arrow&) const = default;
 };
 
 enum class SignalKind { Constant, Pulse, Gusts, Curve };
@@ -49,6 +53,8 @@ enum class SignalKind { Constant, Pulse, Gusts, Curve };
 struct SignalKey {
   float time = 0.0f;   ///< s after the start, ascending
   float value = 0.0f;  ///< factor on the strength, 0..4
+
+  bool operator==(const SignalKey&) const = default;
 };
 
 /// What a root plays: a factor on the strength of its arrows over time.
@@ -66,6 +72,8 @@ struct Signal {
   bool loop = true;      ///< Curve
   std::vector<SignalKey> keys;  ///< Curve, straight lines between keys
   std::string extra;
+
+  bool operator==(const Signal&) const = default;
 };
 
 struct WindGraph {
