@@ -43,13 +43,13 @@ struct CpuFields {
   float dt = 0;
   glm::vec2 ambient{0};       // without gusts, m/s
   float gustAmplitude = 0;    // m/s
-  std::vector<glm::vec2> gustTable;
+  std::vector<float> gustAlong, gustAcross;  // the gust table's components, with its first row and column again at the end
 
   CpuVelocity velocity;                   // the field that left the last step
   CpuVelocity forced, moved, corrected;   // q; q', then q*; room for the correction
   CpuVelocity lowest, highest;            // bounds of the correction
   CpuPlane phi;                           // m^2/s
-  CpuPlane speedX, speedZ;                // cell velocity; before the advection also scratch for force increments
+  CpuPlane speedX, speedZ;                // cell velocity
   CpuRuns blockedX, blockedZ;             // faces kept at 0
   CpuRuns solidNodes;                     // nodes that touch a solid cell: no vorticity there
 

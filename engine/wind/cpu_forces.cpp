@@ -1,4 +1,5 @@
 // Vorticity confinement: Fedkiw, Stam & Jensen, Visual Simulation of Smoke, 2001. Deviation: bounded by the local speed.
+// Compiled for several instruction sets, chosen when the program runs (Highway).
 #include "engine/wind/cpu_forces.hpp"
 
 #include <algorithm>
@@ -7,125 +8,240 @@
 #include "engine/wind/cpu_arrows.hpp"
 #include "engine/wind/cpu_borders.hpp"
 
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "engine/wind/cpu_forces.cpp"
+#include <hwy/foreach_target.h>
+#include <hwy/highway.h>
+
+#ifndef WINDLOOM_WIND_CPU_FORCES_ONCE
+#define WINDLOOM_WIND_CPU_FORCES_ONCE
 namespace windloom {
-namespace {
+
+using GustLayers = std::array<WindGustLayer, WIND_GUST_LAYERS>;
+
+/// Increments of one row of cells that the arrows' part is already in.
+struct ForceRow {
+  int k;
+  float *incrementX, *incrementZ;
+};
+
+}  // namespace windloom
+#endif
+
+HWY_BEFORE_NAMESPACE();
+namespace windloom {
+namespace HWY_NAMESPACE {
+
+namespace hn = hwy::HWY_NAMESPACE;
+using FloatTag = hn::ScalableTag<float>;
+using Floats = hn::Vec<FloatTag>;
 
 /// Vorticity at the nodes of row k (0..H), out[0..W].
-void nodeVorticity(const CpuFields& f, int k, float* out) {
+HWY_ATTR void nodeVorticity(const CpuFields& f, int k, float* HWY_RESTRICT out) {
   const WindGrid& g = f.grid;
   const float ix = 1 / g.hx, iz = 1 / g.hz;
   if ((k == 0 || k == g.height) && !g.periodicZ()) {
     std::fill_n(out, g.width + 1, 0.0f);
     return;
   }
-  const float* w = f.velocity.w.row(k);
-  const float* uLow = f.velocity.u.row(k - 1);
-  const float* uHigh = f.velocity.u.row(k);
-  for (int i = 0; i <= g.width; ++i) out[i] = (w[i] - w[i - 1]) * ix - (uHigh[i] - uLow[i]) * iz;
+  const float* HWY_RESTRICT w = f.velocity.w.row(k);
+  const float* HWY_RESTRICT uLow = f.velocity.u.row(k - 1);
+  const float* HWY_RESTRICT uHigh = f.velocity.u.row(k);
+  for (int i = 0, width = g.width; i <= width; ++i) out[i] = (w[i] - w[i - 1]) * ix - (uHigh[i] - uLow[i]) * iz;
   if (!g.periodicX()) out[0] = out[g.width] = 0;
   for (const CpuRun& run : runsOf(f.solidNodes, k)) std::fill(out + run.begin, out + run.end, 0.0f);
 }
 
-/// Adds the confinement of row k of cells, whose nodes have the vorticities `low` and `high`.
-void addConfinement(const CpuFields& f, int k, const float* low, const float* high, float* incX, float* incZ) {
-  const float h = std::sqrt(f.grid.hx * f.grid.hz);
-  const float scale = f.dt * f.solver.confinement * h;
-  const float halfX = 0.5f / f.grid.hx, halfZ = 0.5f / f.grid.hz;
-  const float tiny = 1e-5f / h, soft = 0.25f * WIND_CONFINEMENT_SOFTNESS * std::sqrt(2 * (halfX * halfX + halfZ * halfZ));
-  const float *vx = f.speedX.row(k), *vz = f.speedZ.row(k);
-  const float *vxLow = f.speedX.row(k - 1), *vzLow = f.speedZ.row(k - 1);
-  const float *vxHigh = f.speedX.row(k + 1), *vzHigh = f.speedZ.row(k + 1);
-  for (int i = 0; i < f.width(); ++i) {
-    const float a = std::abs(low[i]), b = std::abs(low[i + 1]), c = std::abs(high[i]), d = std::abs(high[i + 1]);
-    const float etaX = ((b + d) - (a + c)) * halfX, etaZ = ((c + d) - (a + b)) * halfZ;
-    const float omega = ((low[i] + low[i + 1]) + (high[i] + high[i + 1])) * 0.25f;
-    const float blur = soft * ((a + b) + (c + d)) + tiny;
-    const float push = scale * omega / (std::sqrt(etaX * etaX + etaZ * etaZ) + blur);
-    float dx = push * etaZ, dz = -push * etaX;
-    const float own = vx[i] * vx[i] + vz[i] * vz[i];
-    const float size = dx * dx + dz * dz;
-    const float allowed = WIND_CONFINEMENT_LIMIT * WIND_CONFINEMENT_LIMIT * own;
-    const float cut = size > allowed ? std::sqrt(allowed / size) : 1.0f;
-    dx *= cut;
-    dz *= cut;
-    const float sides = std::max(vx[i - 1] * vx[i - 1] + vz[i - 1] * vz[i - 1], vx[i + 1] * vx[i + 1] + vz[i + 1] * vz[i + 1]);
-    const float ends = std::max(vxLow[i] * vxLow[i] + vzLow[i] * vzLow[i], vxHigh[i] * vxHigh[i] + vzHigh[i] * vzHigh[i]);
-    const float fastest = std::max(own, std::max(sides, ends));
-    const float nx = vx[i] + dx, nz = vz[i] + dz;
-    const float reached = nx * nx + nz * nz;
-    const float keep = reached > fastest ? std::sqrt(fastest / reached) : 1.0f;
-    incX[i] += nx * keep - vx[i];
-    incZ[i] += nz * keep - vz[i];
+/// Squared speeds of row k of cells and of the cells beside it, out[-1..W].
+HWY_ATTR void squaredSpeeds(const CpuFields& f, int k, float* HWY_RESTRICT out) {
+  const float *HWY_RESTRICT vx = f.speedX.row(k), *HWY_RESTRICT vz = f.speedZ.row(k);
+  for (int i = -1, width = f.width(); i <= width; ++i) out[i] = vx[i] * vx[i] + vz[i] * vz[i];
+}
+
+struct ConfinementRows {
+  const float *nodesLow, *nodesHigh;              // vorticity
+  const float *squaresBelow, *squares, *squaresAbove;  // of the speed
+};
+
+HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, ConfinementRows rows) {
+  const FloatTag d;
+  const float h = std::sqrt(f.grid.hx * f.grid.hz), quarterX = 0.5f / f.grid.hx, quarterZ = 0.5f / f.grid.hz;
+  const Floats halfX = hn::Set(d, quarterX), halfZ = hn::Set(d, quarterZ), tiny = hn::Set(d, 1e-5f / h);
+  const Floats soft = hn::Set(d, 0.25f * WIND_CONFINEMENT_SOFTNESS * std::sqrt(2 * (quarterX * quarterX + quarterZ * quarterZ)));
+  const Floats scale = hn::Set(d, 0.25f * f.dt * f.solver.confinement * h);
+  const Floats limit = hn::Set(d, WIND_CONFINEMENT_LIMIT * WIND_CONFINEMENT_LIMIT), least = hn::Set(d, 1e-30f), one = hn::Set(d, 1.0f);
+  const float *vx = f.speedX.row(row.k), *vz = f.speedZ.row(row.k);
+  for (int i = 0, width = f.width(); i < width; i += static_cast<int>(hn::Lanes(d))) {
+    const Floats low = hn::LoadU(d, rows.nodesLow + i), lowNext = hn::LoadU(d, rows.nodesLow + i + 1);
+    const Floats high = hn::LoadU(d, rows.nodesHigh + i), highNext = hn::LoadU(d, rows.nodesHigh + i + 1);
+    const Floats a = hn::Abs(low), b = hn::Abs(lowNext), c = hn::Abs(high), e = hn::Abs(highNext);
+    const Floats etaX = hn::Mul(hn::Sub(hn::Add(b, e), hn::Add(a, c)), halfX), etaZ = hn::Mul(hn::Sub(hn::Add(c, e), hn::Add(a, b)), halfZ);
+    const Floats blur = hn::Add(hn::Mul(soft, hn::Add(hn::Add(a, b), hn::Add(c, e))), tiny);
+    const Floats steepness = hn::Sqrt(hn::Add(hn::Mul(etaX, etaX), hn::Mul(etaZ, etaZ)));
+    const Floats push = hn::Div(hn::Mul(scale, hn::Add(hn::Add(low, lowNext), hn::Add(high, highNext))), hn::Add(steepness, blur));
+    const Floats dx = hn::Mul(push, etaZ), dz = hn::Neg(hn::Mul(push, etaX));
+    const Floats own = hn::LoadU(d, rows.squares + i);
+    const Floats size = hn::Max(hn::Add(hn::Mul(dx, dx), hn::Mul(dz, dz)), least);
+    const Floats cut = hn::Min(hn::Sqrt(hn::Div(hn::Mul(limit, own), size)), one);
+    const Floats sides = hn::Max(hn::LoadU(d, rows.squares + i - 1), hn::LoadU(d, rows.squares + i + 1));
+    const Floats ends = hn::Max(hn::LoadU(d, rows.squaresBelow + i), hn::LoadU(d, rows.squaresAbove + i));
+    const Floats fastest = hn::Max(own, hn::Max(sides, ends));
+    const Floats x = hn::LoadU(d, vx + i), z = hn::LoadU(d, vz + i);
+    const Floats nx = hn::Add(x, hn::Mul(dx, cut)), nz = hn::Add(z, hn::Mul(dz, cut));
+    const Floats reached = hn::Max(hn::Add(hn::Mul(nx, nx), hn::Mul(nz, nz)), least);
+    const Floats keep = hn::Min(hn::Sqrt(hn::Div(fastest, reached)), one);
+    hn::StoreU(hn::Add(hn::LoadU(d, row.incrementX + i), hn::Sub(hn::Mul(nx, keep), x)), d, row.incrementX + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, row.incrementZ + i), hn::Sub(hn::Mul(nz, keep), z)), d, row.incrementZ + i);
   }
 }
 
-void addGusts(const CpuFields& f, int k, const std::array<WindGustLayer, WIND_GUST_LAYERS>& layers, float* incX, float* incZ) {
+/// Adds one copy of the gust table to a row of sums.
+HWY_ATTR void addGustLayer(const CpuFields& f, int k, const WindGustLayer& layer, float* HWY_RESTRICT sumX, float* HWY_RESTRICT sumZ) {
+  constexpr int kSide = WIND_GUST_TABLE;
+  const float *HWY_RESTRICT along = f.gustAlong.data(), *HWY_RESTRICT across = f.gustAcross.data();
+  const float cosine = layer.axis.x, sine = layer.axis.y, scale = layer.texelsPerMetre;
+  const float z = f.grid.mapping.minCorner.y + (static_cast<float>(k) + 0.5f) * f.grid.mapping.cellSize.y;
+  const float xLow = f.grid.mapping.minCorner.x, dx = f.grid.mapping.cellSize.x;
+  for (int i = 0, width = f.width(); i < width; ++i) {
+    const float x = xLow + (static_cast<float>(i) + 0.5f) * dx;
+    const float a = (x * cosine + z * sine) * scale + layer.offset.x, b = (z * cosine - x * sine) * scale + layer.offset.y;
+    const float aWhole = std::floor(a), bWhole = std::floor(b);
+    const float ta = a - aWhole, tb = b - bWhole;
+    const int ia = static_cast<int>(aWhole) & (kSide - 1), ib = static_cast<int>(bWhole) & (kSide - 1);
+    const int at = ib * (kSide + 1) + ia;
+    const float lowA = along[at] + (along[at + 1] - along[at]) * ta;
+    const float highA = along[at + kSide + 1] + (along[at + kSide + 2] - along[at + kSide + 1]) * ta;
+    const float lowB = across[at] + (across[at + 1] - across[at]) * ta;
+    const float highB = across[at + kSide + 1] + (across[at + kSide + 2] - across[at + kSide + 1]) * ta;
+    const float va = lowA + (highA - lowA) * tb, vb = lowB + (highB - lowB) * tb;
+    sumX[i] += layer.weight * (va * cosine - vb * sine);
+    sumZ[i] += layer.weight * (va * sine + vb * cosine);
+  }
+}
+
+HWY_ATTR void addGusts(const CpuFields& f, ForceRow row, const GustLayers& layers, float* HWY_RESTRICT sumX, float* HWY_RESTRICT sumZ) {
+  std::fill_n(sumX, f.width(), 0.0f);
+  std::fill_n(sumZ, f.width(), 0.0f);
+  for (const WindGustLayer& layer : layers) addGustLayer(f, row.k, layer, sumX, sumZ);
   const float part = 1 - std::exp(-f.dt / WIND_GUST_RESPONSE);
-  const float fade = 1 / (4 * f.gustAmplitude * f.gustAmplitude);
-  const float *vx = f.speedX.row(k), *vz = f.speedZ.row(k);
-  for (int i = 0; i < f.width(); ++i) {
-    const glm::vec2 place = cellCentreToWorld(glm::vec2(i, k), f.grid.mapping.minCorner, f.grid.mapping.cellSize);
-    const glm::vec2 lacking = f.ambient + f.gustAmplitude * gustAt(f.gustTable, layers, place) - glm::vec2(vx[i], vz[i]);
-    const float weight = part / (1 + glm::dot(lacking, lacking) * fade);
-    incX[i] += weight * lacking.x;
-    incZ[i] += weight * lacking.y;
+  const float amplitude = f.gustAmplitude, fade = 1 / (4 * amplitude * amplitude);
+  const float *HWY_RESTRICT vx = f.speedX.row(row.k), *HWY_RESTRICT vz = f.speedZ.row(row.k);
+  float *HWY_RESTRICT outX = row.incrementX, *HWY_RESTRICT outZ = row.incrementZ;
+  for (int i = 0, width = f.width(); i < width; ++i) {
+    const float x = f.ambient.x + amplitude * sumX[i] - vx[i], z = f.ambient.y + amplitude * sumZ[i] - vz[i];
+    const float weight = part / (1 + (x * x + z * z) * fade);
+    outX[i] += weight * x;
+    outZ[i] += weight * z;
   }
 }
 
-/// Increments of cell rows [begin, end) apart from the arrows', which are already there.
-void addFieldForces(CpuFields& f, int begin, int end, const std::array<WindGustLayer, WIND_GUST_LAYERS>& layers) {
+/// Adds gusts and confinement to the increments of rows [begin, end), row k at k * stride from the pointers.
+HWY_ATTR void addFieldForces(const CpuFields& f, int begin, int end, const GustLayers& layers, float* incrementX, float* incrementZ,
+                             std::ptrdiff_t stride) {
+  thread_local std::vector<float> memory;
+  const std::ptrdiff_t room = f.speedX.stride();
+  memory.assign(static_cast<std::size_t>(room) * 7, 0.0f);
+  const auto scratch = [&](int n) { return memory.data() + n * room + CpuPlane::kMargin; };
   const bool confine = f.solver.confinement > 0;
-  std::vector<float> low(static_cast<std::size_t>(f.width()) + 1), high(low.size());
-  if (confine) nodeVorticity(f, begin, high.data());
+  if (confine) {
+    nodeVorticity(f, begin, scratch(begin & 1));
+    squaredSpeeds(f, begin - 1, scratch(2 + (begin + 2) % 3));
+    squaredSpeeds(f, begin, scratch(2 + begin % 3));
+  }
   for (int k = begin; k < end; ++k) {
-    float* incX = f.moved.u.row(k);
-    float* incZ = f.moved.w.row(k);
-    if (f.gustAmplitude > 0) addGusts(f, k, layers, incX, incZ);
+    const ForceRow row{k, incrementX + k * stride, incrementZ + k * stride};
+    if (f.gustAmplitude > 0) addGusts(f, row, layers, scratch(5), scratch(6));
     if (!confine) continue;
-    low.swap(high);
-    nodeVorticity(f, k + 1, high.data());
-    addConfinement(f, k, low.data(), high.data(), incX, incZ);
+    nodeVorticity(f, k + 1, scratch((k + 1) & 1));
+    squaredSpeeds(f, k + 1, scratch(2 + (k + 1) % 3));
+    addConfinement(f, row, {scratch(k & 1), scratch((k + 1) & 1), scratch(2 + (k + 2) % 3), scratch(2 + k % 3), scratch(2 + (k + 1) % 3)});
   }
 }
 
-void addToRowX(const CpuFields& f, int k, const float* increment, float* out) {
+HWY_ATTR void addToFacesX(const CpuFields& f, int k, const float* HWY_RESTRICT increment, float* HWY_RESTRICT out) {
   const int w = f.width();
-  const float* u = f.velocity.u.row(k);
+  const float* HWY_RESTRICT u = f.velocity.u.row(k);
   for (int i = 1; i < w; ++i) out[i] = u[i] + 0.5f * (increment[i - 1] + increment[i]);
   const bool periodic = f.grid.periodicX();
   out[0] = u[0] + (periodic ? 0.5f * (increment[w - 1] + increment[0]) : increment[0]);
   out[w] = periodic ? out[0] : u[w] + increment[w - 1];
 }
 
-void addToRowZ(const CpuFields& f, int k, const CpuPlane& increments, float* out) {
-  const int h = f.height();
-  const bool periodic = f.grid.periodicZ();
-  const float* w = f.velocity.w.row(k);
-  const float* low = increments.row(k > 0 ? k - 1 : periodic ? h - 1 : 0);
-  const float* high = increments.row(k < h ? k : periodic ? 0 : h - 1);
-  for (int i = 0; i < f.width(); ++i) out[i] = w[i] + 0.5f * (low[i] + high[i]);
+HWY_ATTR void addToFacesZ(const CpuFields& f, int k, const float* low, const float* high, float* HWY_RESTRICT out) {
+  const float* HWY_RESTRICT w = f.velocity.w.row(k);
+  for (int i = 0, width = f.width(); i < width; ++i) out[i] = w[i] + 0.5f * (low[i] + high[i]);
 }
+
+}  // namespace HWY_NAMESPACE
+}  // namespace windloom
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace windloom {
+namespace {
+
+HWY_EXPORT(addFieldForces);
+HWY_EXPORT(addToFacesX);
+HWY_EXPORT(addToFacesZ);
+
+/// Increments of cell rows in a task's own memory; rows are named by their place in the field.
+class IncrementRows {
+ public:
+  IncrementRows(std::vector<float>& memory, int stride, int rows) : m_stride(stride), m_rows(rows) {
+    memory.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows) * 2);
+    m_memory = memory.data();
+  }
+  [[nodiscard]] float* x(int n) const { return m_memory + static_cast<std::ptrdiff_t>(n) * m_stride; }
+  [[nodiscard]] float* z(int n) const { return m_memory + static_cast<std::ptrdiff_t>(m_rows + n) * m_stride; }
+
+ private:
+  std::ptrdiff_t m_stride;
+  int m_rows;
+  float* m_memory;
+};
+
+struct ForceJob {
+  CpuFields& f;
+  std::span<const ArrowForce> arrows;
+  const ArrowTiles& tiles;
+  GustLayers layers;
+
+  /// Increments of rows [begin, end), which must lie in one row of tiles, into rows `first`... of `out`.
+  void increments(int begin, int end, const IncrementRows& out, int first) const {
+    const int side = tiles.cellsPerSide, b = begin / side;
+    for (int a = 0; a < tiles.columns; ++a) {
+      const auto t = static_cast<std::size_t>(b * tiles.columns + a);
+      const auto indices = std::span(tiles.indices).subspan(tiles.start[t], tiles.start[t + 1] - tiles.start[t]);
+      arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), begin, end}, arrows, indices, out.x(first) + a * side,
+                      out.z(first) + a * side, static_cast<int>(out.x(1) - out.x(0)));
+    }
+    const std::ptrdiff_t stride = out.x(1) - out.x(0);
+    HWY_DYNAMIC_DISPATCH(addFieldForces)(f, begin, end, layers, out.x(first) - begin * stride, out.z(first) - begin * stride, stride);
+  }
+
+  void rows(int begin, int end) const {
+    thread_local std::vector<float> memory;
+    const IncrementRows own(memory, f.speedX.stride(), end - begin + 1);  // row 0: the one below `begin`
+    const int below = begin > 0 ? begin - 1 : f.grid.periodicZ() ? f.height() - 1 : -1;
+    if (below >= 0) increments(below, below + 1, own, 0);
+    increments(begin, end, own, 1);
+    for (int k = begin; k < end; ++k) {
+      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, k, own.x(k - begin + 1), f.forced.u.row(k));
+      const int low = k == begin && below < 0 ? 1 : k - begin;
+      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(k - begin + 1), f.forced.w.row(k));
+    }
+    if (end == f.height()) HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end));
+  }
+};
 
 }  // namespace
 
 void applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles, double time) {
-  const auto layers = gustLayersAt(f.ambientSettings, time);
-  const int side = tiles.cellsPerSide;
-  pool.parallelFor(tiles.rows, [&](int b) {
-    const int kBegin = b * side, kEnd = std::min(f.height(), kBegin + side);
-    for (int a = 0; a < tiles.columns; ++a) {
-      const auto t = static_cast<std::size_t>(b * tiles.columns + a);
-      const auto indices = std::span(tiles.indices).subspan(tiles.start[t], tiles.start[t + 1] - tiles.start[t]);
-      arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), kBegin, kEnd}, arrows, indices, f.moved.u, f.moved.w);
-    }
-    addFieldForces(f, kBegin, kEnd, layers);
-  });
-  forRowTasks(pool, f.height() + 1, [&](int, int begin, int end) {
-    for (int k = begin; k < end; ++k) {
-      if (k < f.height()) addToRowX(f, k, f.moved.u.row(k), f.forced.u.row(k));
-      addToRowZ(f, k, f.moved.w, f.forced.w.row(k));
-    }
-  });
+  static_assert(WIND_TILE % kRowsPerTask == 0, "a task's rows lie in one row of tiles");
+  const ForceJob job{f, arrows, tiles, gustLayersAt(f.ambientSettings, time)};
+  forRowTasks(pool, f.height(), [&](int, int begin, int end) { job.rows(begin, end); });
+  if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
 }
 
 }  // namespace windloom
+#endif

@@ -36,9 +36,11 @@ void sweep(const CpuFields& f, ThreadPool& pool, const Stencil& s, float c, cons
   fillGhosts(f, next, OpenGhost::Copy);
 }
 
+void copyAll(const CpuPlane& from, CpuPlane& to) { std::memcpy(to.memory(), from.memory(), from.bytes()); }
+
 void copyRows(const CpuVelocity& from, CpuVelocity& to) {
-  std::memcpy(to.u.row(-1) - CpuPlane::kMargin, from.u.row(-1) - CpuPlane::kMargin, from.u.bytes());
-  std::memcpy(to.w.row(-1) - CpuPlane::kMargin, from.w.row(-1) - CpuPlane::kMargin, from.w.bytes());
+  copyAll(from.u, to.u);
+  copyAll(from.w, to.w);
 }
 
 }  // namespace
