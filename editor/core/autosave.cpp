@@ -106,9 +106,13 @@ Status Autosave::tick(const Document& document, double nowSeconds) {
       fs::remove(m_file, ignored);
       m_exists = false;
     }
+    dropRescued(document);
     return Done{};
   }
-  const bool due = m_edits >= kAutosaveEdits || (m_firstEditAt && nowSeconds - *m_firstEditAt >= kAutosaveSeconds);
+  const bool rescuedNow = document.rescuedFrom() != m_seenRescue && !document.rescuedFrom().empty();
+  m_seenRescue = document.rescuedFrom();
+  const bool late = m_firstEditAt && nowSeconds - *m_firstEditAt >= kAutosaveSeconds;
+  const bool due = rescuedNow || late || m_edits >= kAutosaveEdits;
   if (!due) return Done{};
   m_edits = 0;
   m_firstEditAt.reset();
@@ -127,8 +131,16 @@ Status Autosave::write(const Document& document) {
   json["project"] = writeProject(document.committed());
   const Status status =
       writeFileAtomically(m_file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  if (status) m_exists = true;
+  m_exists = m_exists || status.ok();
+  if (status) dropRescued(document);
   return status;
+}
+
+/// The work is in a file of this session now, or in the user's own.
+void Autosave::dropRescued(const Document& document) {
+  const fs::path rescued = document.rescuedFrom();
+  if (!rescued.empty() && rescued != m_dropped) discardRescue({rescued, {}, {}});
+  m_dropped = rescued;
 }
 
 void Autosave::finish() {
@@ -160,7 +172,7 @@ Status restoreRescue(Document& document, const Rescue& rescue) {
   if (!file) return file.error();
   Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
   if (!loaded) return loaded.error();
-  document.recover(std::move(loaded->project), rescue.original);
+  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
   return Done{};
 }
 

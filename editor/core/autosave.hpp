@@ -26,6 +26,7 @@ class Autosave {
 
   /// Call once a frame with a steadily growing time. Writes the side file when 25 edits were made since the
   /// last write, or 2 minutes passed since the first edit after it; removes it once the document is clean.
+  /// A rescued project is written at once; the side file that it came from then goes, and so it does on a save.
   /// A failure (disk full) is told once; it is tried again after as many edits or as much time.
   Status tick(const Document& document, double nowSeconds);
   /// The editor closes in order: the side file goes.
@@ -34,10 +35,12 @@ class Autosave {
 
  private:
   Status write(const Document& document);
+  void dropRescued(const Document& document);
 
   std::filesystem::path m_folder, m_file, m_lockFile;
   int m_lock = -1;
   Project m_seen;
+  std::filesystem::path m_seenRescue, m_dropped;  // rescued side files: met, and removed
   bool m_started = false;
   int m_edits = 0;
   std::optional<double> m_firstEditAt;
@@ -52,9 +55,10 @@ struct Rescue {
 };
 /// Side files in the folder whose editor no longer runs, newest first. Files that are none are left alone.
 std::vector<Rescue> findRescues(const std::filesystem::path& folder);
-/// Takes it into the document (dirty). On failure the document stays.
+/// Takes it into the document (dirty). On failure the document stays. The side file stays until Autosave has
+/// written its own or the project is saved.
 Status restoreRescue(Document& document, const Rescue& rescue);
-/// Removes the side file. After a restore, call it once the project was saved or the user is done with it.
+/// Removes the side file: the user doesn't want it.
 void discardRescue(const Rescue& rescue);
 /// What differs between the user's file and the side file, one line each; the reason where either can't be read.
 std::vector<std::string> describeRescue(const Rescue& rescue);

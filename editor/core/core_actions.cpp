@@ -229,6 +229,7 @@ void addToolActions(Workspace& workspace) {
   Adder tools(workspace, "Tools");
   constexpr std::pair<const char*, const char*> keys[] = {{"select", "Q"}, {"move", "W"},     {"rotate", "E"},
                                                           {"scale", "R"},  {"draw", "D"},     {"obstacle", "O"},
+                                                          {"vortex", "V"},
                                                           {"probe", "P"},  {"delete", nullptr}};
   for (const auto& [id, key] : keys) {
     const std::string tool = id;

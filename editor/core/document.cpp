@@ -77,6 +77,7 @@ void Document::startNew(Project start) {
   endPreview();
   m_history = History(std::move(start));
   m_path.clear();
+  m_rescuedFrom.clear();
   touched();
 }
 
@@ -87,6 +88,7 @@ Status Document::open(const std::filesystem::path& path) {
   endPreview();
   m_history = History(std::move(loaded->project));
   m_path = path;
+  m_rescuedFrom.clear();
   touched();
   return Done{};
 }
@@ -105,11 +107,12 @@ Status Document::saveAs(const std::filesystem::path& path) {
   return status;
 }
 
-void Document::recover(Project project, std::filesystem::path path) {
+void Document::recover(Project project, std::filesystem::path path, std::filesystem::path sideFile) {
   endPreview();
   m_history = History(std::move(project));
   m_history.markUnsaved();
   m_path = std::move(path);
+  m_rescuedFrom = std::move(sideFile);
   touched();
 }
 

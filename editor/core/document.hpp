@@ -57,14 +57,16 @@ class Document {
   /// Takes the path over only on success.
   Status saveAs(const std::filesystem::path& path);
   /// Takes over a project rescued from a side file: dirty, belonging to `path` (may be empty).
-  void recover(Project project, std::filesystem::path path);
+  void recover(Project project, std::filesystem::path path, std::filesystem::path sideFile);
+  /// The side file that the open project was rescued from; empty for others. Autosave takes it over.
+  [[nodiscard]] const std::filesystem::path& rescuedFrom() const { return m_rescuedFrom; }
 
  private:
   void touched() { ++m_revision; }
   History m_history;
   Project m_preview;
   bool m_previewing = false;
-  std::filesystem::path m_path;
+  std::filesystem::path m_path, m_rescuedFrom;
   std::uint64_t m_revision = 1;
 };
 

@@ -5,6 +5,7 @@
 #include "editor/core/box_drag.hpp"
 #include "editor/core/graph_edits.hpp"
 #include "editor/core/move_drag.hpp"
+#include "editor/core/refusal.hpp"
 #include "editor/core/transform_drag.hpp"
 
 namespace windloom::editor {
@@ -29,7 +30,7 @@ bool insertPointAt(ToolContext& context, glm::vec2 pixel, std::string& message) 
   if (status) {
     context.selection.replace(inserted.point);
   } else {
-    message = status.error().problems.front().message;
+    message = refusalText(status.error());
   }
   return true;
 }

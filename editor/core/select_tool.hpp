@@ -21,6 +21,7 @@ class SelectTool : public Tool {
   [[nodiscard]] std::string label() const override;
   [[nodiscard]] std::string hint(const ToolContext& context) const override;
   [[nodiscard]] PointerShape pointerShape() const override;
+  [[nodiscard]] bool usesAlt() const override { return m_kind == SelectKind::Select || m_kind == SelectKind::Move; }
   void onClick(ToolContext& context, const PointerEvent& pointer) override;
   std::unique_ptr<Drag> beginDrag(ToolContext& context, const PointerEvent& press) override;
 

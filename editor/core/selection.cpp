@@ -24,13 +24,11 @@ std::unordered_set<Id> openPoints(const WindGraph& graph) {
 
 }  // namespace
 
-bool Selection::contains(Id id) const { return std::find(m_ids.begin(), m_ids.end(), id) != m_ids.end(); }
-
 void Selection::replace(std::vector<Id> ids) {
-  std::unordered_set<Id> seen;
+  m_set.clear();
   m_ids.clear();
   for (const Id id : ids) {
-    if (id != 0 && seen.insert(id).second) m_ids.push_back(id);
+    if (id != 0 && m_set.insert(id).second) m_ids.push_back(id);
   }
 }
 
@@ -38,6 +36,7 @@ void Selection::add(Id id) {
   if (id == 0) return;
   remove(id);
   m_ids.push_back(id);
+  m_set.insert(id);
 }
 
 void Selection::toggle(Id id) {
@@ -48,11 +47,14 @@ void Selection::toggle(Id id) {
   }
 }
 
-void Selection::remove(Id id) { std::erase(m_ids, id); }
+void Selection::remove(Id id) {
+  if (m_set.erase(id) > 0) std::erase(m_ids, id);
+}
 
 bool Selection::repair(const Project& project) {
   if (m_ids.empty()) return false;
   const IdIndex known(project);
+  std::erase_if(m_set, [&](Id id) { return !known.contains(id); });
   return std::erase_if(m_ids, [&](Id id) { return !known.contains(id); }) > 0;
 }
 

@@ -4,6 +4,7 @@
 
 #include <span>
 #include <string>
+#include <unordered_set>
 #include <vector>
 
 #include "engine/model/project.hpp"
@@ -15,7 +16,7 @@ class Selection {
   [[nodiscard]] std::span<const Id> ids() const { return m_ids; }
   [[nodiscard]] bool empty() const { return m_ids.empty(); }
   [[nodiscard]] std::size_t size() const { return m_ids.size(); }
-  [[nodiscard]] bool contains(Id id) const;
+  [[nodiscard]] bool contains(Id id) const { return m_set.contains(id); }
   /// The one picked last, 0 where nothing is selected.
   [[nodiscard]] Id active() const { return m_ids.empty() ? 0 : m_ids.back(); }
 
@@ -24,13 +25,14 @@ class Selection {
   void add(Id id);                    ///< also makes it the active one
   void toggle(Id id);
   void remove(Id id);
-  void clear() { m_ids.clear(); }
+  void clear() { replace(std::vector<Id>{}); }
 
   /// Drops ids that the project doesn't have. True where something was dropped.
   bool repair(const Project& project);
 
  private:
   std::vector<Id> m_ids;
+  std::unordered_set<Id> m_set;  // the same ids
 };
 
 /// How a pick combines with what is selected.

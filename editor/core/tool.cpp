@@ -1,5 +1,7 @@
 #include "editor/core/tool.hpp"
 
+#include "editor/core/refusal.hpp"
+
 namespace windloom::editor {
 
 std::vector<Hit> ToolContext::hits(glm::vec2 pixel, PickOptions options) const {
@@ -9,7 +11,7 @@ std::vector<Hit> ToolContext::hits(glm::vec2 pixel, PickOptions options) const {
 
 bool Tool::commit(ToolContext& context, const Edit& edit) {
   const Status status = context.document.apply(edit);
-  if (!status) say(status.error().problems.front().message);
+  if (!status) say(refusalText(status.error()));
   return status.ok();
 }
 

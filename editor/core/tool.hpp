@@ -41,6 +41,7 @@ struct ToolSettings {
   Arrow newArrow;        ///< strength, radius, drive, where, ... ; ids are ignored
   Obstacle newObstacle;  ///< shape, height
   Probe newProbe;
+  float newSwirlMps = 6.0f;  ///< of new whirls; positive from +X towards +Z
   SnapSettings snap;
   float hitRadiusPx = kHitRadiusPx;  ///< times the interface scale
 };
@@ -87,6 +88,8 @@ class Tool {
   [[nodiscard]] virtual std::string label() const = 0;  ///< "Draw tree"
   [[nodiscard]] virtual std::string hint(const ToolContext& context) const = 0;  ///< status bar line
   [[nodiscard]] virtual PointerShape pointerShape() const { return PointerShape::Arrow; }
+  /// Whether Alt with a press on a handle is the tool's; elsewhere and otherwise it orbits.
+  [[nodiscard]] virtual bool usesAlt() const { return false; }
 
   /// Pressed and let go without moving.
   virtual void onClick(ToolContext&, const PointerEvent&) {}

@@ -4,7 +4,9 @@
 
 #include "editor/core/draw_tool.hpp"
 #include "editor/core/place_tools.hpp"
+#include "editor/core/refusal.hpp"
 #include "editor/core/select_tool.hpp"
+#include "editor/core/vortex_tool.hpp"
 
 namespace windloom::editor {
 
@@ -15,6 +17,7 @@ ToolBox::ToolBox() {
   add(std::make_unique<SelectTool>(SelectKind::Scale));
   add(std::make_unique<DrawTool>());
   add(std::make_unique<ObstacleTool>());
+  add(std::make_unique<VortexTool>());
   add(std::make_unique<ProbeTool>());
   add(std::make_unique<DeleteTool>());
 }
@@ -123,7 +126,7 @@ void ToolBox::updateDrag(ToolContext& context, const PointerEvent& pointer) {
     return;
   }
   const Status status = context.document.preview(*edit);
-  if (!status) m_refused = status.error().problems.front().message;
+  if (!status) m_refused = refusalText(status.error());
 }
 
 void ToolBox::endDrag(ToolContext& context) {
@@ -137,7 +140,7 @@ void ToolBox::endDrag(ToolContext& context) {
   if (status) {
     drag->applied(context);
   } else {
-    m_message = status.error().problems.front().message;
+    m_message = refusalText(status.error());
   }
 }
 

@@ -15,7 +15,7 @@ inline constexpr float kDragThresholdPx = 3.0f;
 
 class ToolBox {
  public:
-  /// With the core tools: select, move, rotate, scale, draw, obstacle, probe, delete.
+  /// With the core tools: select, move, rotate, scale, draw, obstacle, vortex, probe, delete.
   ToolBox();
 
   void add(std::unique_ptr<Tool> tool);

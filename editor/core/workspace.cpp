@@ -1,5 +1,7 @@
 #include "editor/core/workspace.hpp"
 
+#include "editor/core/refusal.hpp"
+
 namespace windloom::editor {
 
 Workspace::Workspace() {
@@ -25,7 +27,7 @@ bool Workspace::pointerPressed(const PointerEvent& pointer) {
   }
   // Alt+drag copies what it grabs and orbits elsewhere.
   const bool left = pointer.button == PointerButton::Left;
-  const bool copies = left && pointer.modifiers.alt && !tool.hits(pointer.pixel).empty();
+  const bool copies = left && pointer.modifiers.alt && tools.active().usesAlt() && !tool.hits(pointer.pixel).empty();
   if (!tools.dragging() && !copies && navigator.press(pointer)) return true;
   const bool used = tools.press(tool, pointer);
   afterChange();
@@ -89,14 +91,14 @@ bool Workspace::apply(const Edit& edit) {
   ToolContext tool = context();
   if (tools.dragging()) tools.cancel(tool);
   const Status status = document.apply(edit);
-  if (!status) say(MessageKind::Warning, status.error().problems.front().text());
+  if (!status) say(MessageKind::Warning, refusalText(status.error()));
   afterChange();
   return status.ok();
 }
 
 bool Workspace::apply(const Result<Edit>& edit) {
   if (edit) return apply(*edit);
-  say(MessageKind::Warning, edit.error().problems.front().text());
+  say(MessageKind::Warning, refusalText(edit.error()));
   return false;
 }
 

@@ -1,5 +1,6 @@
 #include "editor/core/inspector.hpp"
 
+#include "editor/core/refusal.hpp"
 #include "editor_bench.hpp"
 
 namespace windloom::editor {
@@ -83,6 +84,7 @@ TEST(Inspector, IllegalValuesAreRefusedWithTheRange) {
     const Result<Edit> edit = setParameter(p.project(), p.arrows(), "radius", value);
     ASSERT_FALSE(edit);
     EXPECT_NE(edit.error().text().find("Radius: "), std::string::npos) << edit.error().text();
+    EXPECT_EQ(refusalText(edit.error()), edit.error().problems.front().message);
     EXPECT_NE(edit.error().text().find("expected a number from"), std::string::npos) << edit.error().text();
   }
   EXPECT_FALSE(setParameter(p.project(), p.arrows(), "nonsense", 1.0f));
@@ -164,6 +166,17 @@ TEST(Inspector, EverySettingsPartHasRowsThatCanBeSetToThemselves) {
       EXPECT_TRUE(edit->steps.empty()) << r.info.key;
     }
   }
+}
+
+TEST(Refusal, NamesTheThingInsteadOfThePlaceInTheFile) {
+  EXPECT_EQ(refusalText(makeError(ErrorKind::BadInput, "", "/graph/arrows/3/radius", "found -1, expected more")),
+            "The arrow's radius: found -1, expected more");
+  EXPECT_EQ(refusalText(makeError(ErrorKind::BadInput, "", "/graph/arrows/3", "has no length")),
+            "The arrow has no length");
+  EXPECT_EQ(refusalText(makeError(ErrorKind::BadInput, "disk is full")), "disk is full");
+  Error error = makeError(ErrorKind::BadInput, "", "/field/borders/xMin", "is not periodic");
+  error.problems.push_back(error.problems.front());
+  EXPECT_EQ(refusalText(error), "The field's borders xMin is not periodic (and 1 more problem)");
 }
 
 }  // namespace windloom::editor

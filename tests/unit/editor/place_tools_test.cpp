@@ -35,6 +35,24 @@ TEST(ObstacleTool, ClickMakesNothing) {
   EXPECT_TRUE(b.w.message().text.empty());
 }
 
+TEST(VortexTool, DragMakesAWhirlAroundItsMiddle) {
+  Bench b;
+  b.key("V");
+  b.press({10, 5});
+  b.move({13, 9});
+  b.w.wheel(1.0f, b.at({13, 9}));
+  b.key("C");
+  b.release({13, 9});
+  ASSERT_EQ(b.graph().arrows.size(), 1u);
+  const Arrow& arrow = b.graph().arrows[0];
+  expectNear(b.place(arrow.to), {10, 5});
+  EXPECT_NEAR(arrow.radius, 5.0f, 0.01f);
+  EXPECT_NEAR(arrow.swirl, -6.6f, 1e-4f);
+  EXPECT_EQ(arrow.strength, 0.0f);
+  EXPECT_EQ(arrow.where, Where::End);
+  EXPECT_EQ(b.steps(), 1u);
+}
+
 TEST(ProbeTool, ClickAndDragSetOneDown) {
   Bench b;
   b.key("P");

@@ -156,6 +156,30 @@ TEST(Autosave, ARunningEditorsFileIsNoRescueACrashedOnesIs) {
   EXPECT_TRUE(findRescues(folder / "side").empty());
 }
 
+TEST(Autosave, RescuedWorkIsNeverWithoutAFile) {
+  TempFolder folder;
+  Document document;
+  {
+    Autosave crashed(folder / "side", "1");
+    ASSERT_TRUE(crashed.tick(document, 0));
+    editFrames(crashed, document, 25, 1);
+  }
+  Document restored;
+  Autosave autosave(folder / "side", "2");
+  ASSERT_TRUE(autosave.tick(restored, 0));
+  const auto rescues = findRescues(folder / "side");
+  ASSERT_EQ(rescues.size(), 1u);
+  ASSERT_TRUE(restoreRescue(restored, rescues[0]));
+  EXPECT_TRUE(std::filesystem::exists(rescues[0].sideFile));
+  ASSERT_TRUE(autosave.tick(restored, 1));
+  EXPECT_TRUE(std::filesystem::exists(autosave.sideFile()));
+  EXPECT_FALSE(std::filesystem::exists(rescues[0].sideFile));
+  EXPECT_TRUE(findRescues(folder / "side").empty());
+  ASSERT_TRUE(restored.saveAs(folder / "saved.wind.json"));
+  ASSERT_TRUE(autosave.tick(restored, 2));
+  EXPECT_FALSE(std::filesystem::exists(autosave.sideFile()));
+}
+
 TEST(Autosave, FinishLeavesNothingBehind) {
   TempFolder folder;
   Document document;

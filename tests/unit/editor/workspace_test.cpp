@@ -14,7 +14,7 @@ TEST(Workspace, DefaultShortcutsAreThoseOfTheKeyTable) {
       {"tool.rotate", "E"},          {"tool.scale", "R"},            {"select.all", "A"},
       {"select.none", "Alt+A"},      {"select.none", "Esc"},         {"tool.draw", "D"},
       {"graph.extrude", "Shift+E"},  {"graph.merge", "Ctrl+J"},      {"graph.split", "Y"},
-      {"graph.reverse", "Ctrl+R"},   {"graph.reparent", "Ctrl+P"},   {"tool.obstacle", "O"},
+      {"graph.reverse", "Ctrl+R"},   {"graph.reparent", "Ctrl+P"},   {"tool.obstacle", "O"},            {"tool.vortex", "V"},
       {"tool.probe", "P"},           {"graph.strength_up", "Shift+]"}, {"graph.strength_down", "Shift+["},
       {"graph.radius_up", "]"},      {"graph.radius_down", "["},     {"edit.duplicate", "Ctrl+D"},
       {"edit.duplicate_move", "Shift+D"}, {"edit.delete", "Del"},    {"edit.delete", "X"},
@@ -277,11 +277,19 @@ TEST(Workspace, OpenClearsTheSelectionAndRemembersTheFile) {
   EXPECT_EQ(b.graph().arrows.size(), 1u);
 }
 
+TEST(Workspace, AltPressOrbitsWhereTheToolHasNoUseForIt) {
+  Bench b;
+  b.draw({-20, 0}, {0, 0});
+  b.drag({0, 0}, {10, 10}, kAlt);  // the draw tool, on a handle
+  EXPECT_EQ(b.graph().arrows.size(), 1u);
+  EXPECT_NE(b.w.camera.yaw, 0.0f);
+}
+
 TEST(Workspace, RefusedPanelEditIsTold) {
   Bench b;
   EXPECT_FALSE(b.w.apply(treeEdit(b.project(), {0, 0}, {0, 0}, Arrow{}).edit));
   EXPECT_EQ(b.w.message().kind, MessageKind::Warning);
-  EXPECT_FALSE(b.w.message().text.empty());
+  EXPECT_EQ(b.w.message().text.find("The arrow has no length"), 0u) << b.w.message().text;
 }
 
 }  // namespace windloom::editor
