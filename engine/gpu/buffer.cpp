@@ -14,7 +14,8 @@ Result<Buffer> Buffer::create(std::string_view label, std::size_t bytes, BufferU
   buffer.m_use = use;
   labelObject(BufferKind::kLabel, name, label);
   forgetErrors();
-  glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data, use == BufferUse::Dynamic ? GL_DYNAMIC_STORAGE_BIT : 0);
+  glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data,
+                       use == BufferUse::Dynamic ? GL_DYNAMIC_STORAGE_BIT : 0);
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
     return makeError(ErrorKind::Machine, "OpenGL has no memory for the buffer '" + std::string(label) + "' of " +
                                              std::to_string(bytes) + " bytes");
@@ -43,8 +44,12 @@ void Buffer::read(void* data, std::size_t bytes, std::size_t offset) const {
   glGetNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
-void Buffer::bindStorage(unsigned binding) const { glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name()); }
-void Buffer::bindUniform(unsigned binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name()); }
+void Buffer::bindStorage(unsigned binding) const {
+  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
+}
+void Buffer::bindUniform(unsigned binding) const {
+  glBindBufferBase(GL_UNIFORM_BUFFER, binding, name());
+}
 
 void Buffer::bindUniformRange(unsigned binding, std::size_t offset, std::size_t bytes) const {
   WL_REQUIRE(offset % 256 == 0 && offset + bytes <= m_bytes, "the range is aligned and lies inside the buffer");

@@ -30,7 +30,9 @@ bool isSoftwareRenderer(std::string_view renderer) {
   return false;
 }
 
-std::string describeVersion() { return glText(GL_RENDERER) + ", OpenGL " + glText(GL_VERSION); }
+std::string describeVersion() {
+  return glText(GL_RENDERER) + ", OpenGL " + glText(GL_VERSION);
+}
 
 // The callback's last argument is the context's DebugLog: the heap object stays where it is.
 void Context::attach(std::string platform) {

@@ -75,8 +75,8 @@ void Framebuffer::clearDepth(float value) const {
 
 void Framebuffer::resolveColour(GLuint target, glm::ivec2 origin) const {
   openScissorAndMasks();
-  glBlitNamedFramebuffer(name(), target, 0, 0, m_size.x, m_size.y, origin.x, origin.y, origin.x + m_size.x, origin.y + m_size.y,
-                         GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  glBlitNamedFramebuffer(name(), target, 0, 0, m_size.x, m_size.y, origin.x, origin.y, origin.x + m_size.x,
+                         origin.y + m_size.y, GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
 void Framebuffer::resolveTo(const Framebuffer& target) const {
@@ -93,7 +93,8 @@ std::vector<unsigned char> Framebuffer::readRgba8() const {
   std::vector<unsigned char> bottomUp(row * static_cast<std::size_t>(m_size.y)), pixels(bottomUp.size());
   glBindFramebuffer(GL_READ_FRAMEBUFFER, name());
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
-  glReadnPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bottomUp.size()), bottomUp.data());
+  glReadnPixels(0, 0, m_size.x, m_size.y, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bottomUp.size()),
+                bottomUp.data());
   for (std::size_t y = 0; y < static_cast<std::size_t>(m_size.y); ++y) {
     std::memcpy(&pixels[y * row], &bottomUp[(static_cast<std::size_t>(m_size.y) - 1 - y) * row], row);
   }

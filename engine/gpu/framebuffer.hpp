@@ -12,9 +12,9 @@
 namespace windloom::gpu {
 
 struct FramebufferOptions {
-  GLenum colour = GL_RGBA16F;           ///< sized format; 0: none
-  GLenum depth = GL_DEPTH_COMPONENT32F; ///< sized format; 0: none
-  int samples = 1;                      ///< limited to what the driver can; see samples()
+  GLenum colour = GL_RGBA16F;            ///< sized format; 0: none
+  GLenum depth = GL_DEPTH_COMPONENT32F;  ///< sized format; 0: none
+  int samples = 1;                       ///< limited to what the driver can; see samples()
 };
 
 class Framebuffer {

@@ -23,7 +23,8 @@ struct Candidate {
 
 class OffscreenContext final : public Context {
  public:
-  OffscreenContext(EGLDisplay display, EGLContext context, std::string platform) : m_display(display), m_context(context) {
+  OffscreenContext(EGLDisplay display, EGLContext context, std::string platform)
+      : m_display(display), m_context(context) {
     attach(std::move(platform));
   }
   ~OffscreenContext() override {
@@ -31,7 +32,8 @@ class OffscreenContext final : public Context {
     eglDestroyContext(m_display, m_context);
   }
   void makeCurrent() override {
-    WL_REQUIRE(eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context), "an offscreen context can be current");
+    WL_REQUIRE(eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context),
+               "an offscreen context can be current");
   }
 
  private:
@@ -39,7 +41,9 @@ class OffscreenContext final : public Context {
   EGLContext m_context;
 };
 
-bool hasExtension(const char* list, const char* name) { return list != nullptr && std::strstr(list, name) != nullptr; }
+bool hasExtension(const char* list, const char* name) {
+  return list != nullptr && std::strstr(list, name) != nullptr;
+}
 
 std::vector<Candidate> deviceCandidates(const char* clientExtensions) {
   std::vector<Candidate> found;
@@ -63,7 +67,8 @@ std::vector<Candidate> candidates() {
     std::erase_if(all, [&](const Candidate& c) { return c.platform != wanted; });
     return all;
   }
-  std::stable_sort(all.begin(), all.end(), [](const Candidate& a, const Candidate& b) { return !a.software && b.software; });
+  std::stable_sort(all.begin(), all.end(),
+                   [](const Candidate& a, const Candidate& b) { return !a.software && b.software; });
   if (hasExtension(clientExtensions, "EGL_MESA_platform_surfaceless")) {
     // Where a hardware device is broken this one may still give software rendering.
     all.push_back({"EGL surfaceless", EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, false});
@@ -75,16 +80,24 @@ Error refused(const Candidate& candidate, const std::string& why) {
   return makeError(ErrorKind::Machine, candidate.platform + ": " + why);
 }
 
-std::string eglErrorText() { return "EGL error " + std::to_string(eglGetError()); }
+std::string eglErrorText() {
+  return "EGL error " + std::to_string(eglGetError());
+}
 
 EGLContext createContext(EGLDisplay display, DebugMode mode) {
   const EGLint configWanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
   EGLConfig config = nullptr;
   EGLint configs = 0;
   if (!eglChooseConfig(display, configWanted, &config, 1, &configs) || configs == 0) config = EGL_NO_CONFIG_KHR;
-  const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION, 4, EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_CONTEXT_OPENGL_DEBUG,
-                           mode == DebugMode::Strict ? EGL_TRUE : EGL_FALSE, EGL_NONE};
+  const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
+                           4,
+                           EGL_CONTEXT_MINOR_VERSION,
+                           5,
+                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                           EGL_CONTEXT_OPENGL_DEBUG,
+                           mode == DebugMode::Strict ? EGL_TRUE : EGL_FALSE,
+                           EGL_NONE};
   return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted);
 }
 
@@ -93,7 +106,8 @@ Result<std::unique_ptr<Context>> tryCandidate(const Candidate& candidate, DebugM
   const EGLDisplay display = eglGetPlatformDisplayEXT(candidate.kind, candidate.native, nullptr);
   if (display == EGL_NO_DISPLAY) return refused(candidate, "gives no display (" + eglErrorText() + ")");
   EGLint major = 0, minor = 0;
-  if (!eglInitialize(display, &major, &minor)) return refused(candidate, "can't be initialised (" + eglErrorText() + ")");
+  if (!eglInitialize(display, &major, &minor))
+    return refused(candidate, "can't be initialised (" + eglErrorText() + ")");
   const char* extensions = eglQueryString(display, EGL_EXTENSIONS);
   const char* version = eglQueryString(display, EGL_VERSION);
   const std::string found = std::string("EGL ") + (version == nullptr ? "?" : version);
@@ -102,7 +116,8 @@ Result<std::unique_ptr<Context>> tryCandidate(const Candidate& candidate, DebugM
   }
   if (!eglBindAPI(EGL_OPENGL_API)) return refused(candidate, found + " has no desktop OpenGL");
   const EGLContext context = createContext(display, mode);
-  if (context == EGL_NO_CONTEXT) return refused(candidate, found + " gives no OpenGL 4.5 core context (" + eglErrorText() + ")");
+  if (context == EGL_NO_CONTEXT)
+    return refused(candidate, found + " gives no OpenGL 4.5 core context (" + eglErrorText() + ")");
   if (!eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) {
     eglDestroyContext(display, context);
     return refused(candidate, found + ", its context can't be made current (" + eglErrorText() + ")");
@@ -120,7 +135,8 @@ Result<std::unique_ptr<Context>> tryCandidate(const Candidate& candidate, DebugM
 }  // namespace
 
 Result<std::unique_ptr<Context>> createOffscreenContext(DebugMode mode) {
-  if (const char* asked = std::getenv("WINDLOOM_GL_DEBUG"); asked != nullptr && std::strcmp(asked, "1") == 0) mode = DebugMode::Strict;
+  if (const char* asked = std::getenv("WINDLOOM_GL_DEBUG"); asked != nullptr && std::strcmp(asked, "1") == 0)
+    mode = DebugMode::Strict;
   Error failure{ErrorKind::Machine, {}};
   for (const Candidate& candidate : candidates()) {
     Result<std::unique_ptr<Context>> made = tryCandidate(candidate, mode);
@@ -131,8 +147,8 @@ Result<std::unique_ptr<Context>> createOffscreenContext(DebugMode mode) {
   for (const Problem& problem : failure.problems) list += (list.empty() ? "" : "; ") + problem.message;
   const char* chosen = std::getenv("WINDLOOM_EGL_DEVICE");
   const std::string choice = chosen == nullptr ? "" : " (WINDLOOM_EGL_DEVICE=" + std::string(chosen) + ")";
-  return makeError(ErrorKind::Machine, "no OpenGL 4.5 without a window here" + choice + "; tried: " +
-                                           (list.empty() ? "no EGL device was found" : list));
+  return makeError(ErrorKind::Machine, "no OpenGL 4.5 without a window here" + choice +
+                                           "; tried: " + (list.empty() ? "no EGL device was found" : list));
 }
 
 }  // namespace windloom::gpu

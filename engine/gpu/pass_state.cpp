@@ -5,16 +5,23 @@
 namespace windloom::gpu {
 namespace {
 
-void enable(GLenum what, bool on) { on ? glEnable(what) : glDisable(what); }
+void enable(GLenum what, bool on) {
+  on ? glEnable(what) : glDisable(what);
+}
 
 GLenum compareFunction(const PassState& state) {
   if (state.depth == Depth::Write) return GL_ALWAYS;
   switch (state.compare) {
-    case DepthCompare::Less: return GL_LESS;
-    case DepthCompare::LessEqual: return GL_LEQUAL;
-    case DepthCompare::Greater: return GL_GREATER;
-    case DepthCompare::GreaterEqual: return GL_GEQUAL;
-    case DepthCompare::Equal: return GL_EQUAL;
+    case DepthCompare::Less:
+      return GL_LESS;
+    case DepthCompare::LessEqual:
+      return GL_LEQUAL;
+    case DepthCompare::Greater:
+      return GL_GREATER;
+    case DepthCompare::GreaterEqual:
+      return GL_GEQUAL;
+    case DepthCompare::Equal:
+      return GL_EQUAL;
   }
   return GL_LEQUAL;
 }
@@ -23,10 +30,17 @@ void applyBlend(Blend blend) {
   enable(GL_BLEND, blend != Blend::Off);
   glBlendEquation(GL_FUNC_ADD);
   switch (blend) {
-    case Blend::Off: break;
-    case Blend::Alpha: glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
-    case Blend::Premultiplied: glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA); break;
-    case Blend::Additive: glBlendFunc(GL_ONE, GL_ONE); break;
+    case Blend::Off:
+      break;
+    case Blend::Alpha:
+      glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      break;
+    case Blend::Premultiplied:
+      glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+      break;
+    case Blend::Additive:
+      glBlendFunc(GL_ONE, GL_ONE);
+      break;
   }
 }
 

@@ -17,7 +17,9 @@ Program::Program(Handle<ProgramKind> linked) : m_handle(std::move(linked)) {
   m_workGroupSize = {kind[0], kind[1], kind[2]};
 }
 
-void Program::use() const { glUseProgram(name()); }
+void Program::use() const {
+  glUseProgram(name());
+}
 
 GLint Program::location(std::string_view uniform) const {
   const auto known = m_locations.find(uniform);
@@ -28,9 +30,15 @@ GLint Program::location(std::string_view uniform) const {
   return found;
 }
 
-void Program::set(std::string_view uniform, float value) const { glProgramUniform1f(name(), location(uniform), value); }
-void Program::set(std::string_view uniform, int value) const { glProgramUniform1i(name(), location(uniform), value); }
-void Program::set(std::string_view uniform, unsigned value) const { glProgramUniform1ui(name(), location(uniform), value); }
+void Program::set(std::string_view uniform, float value) const {
+  glProgramUniform1f(name(), location(uniform), value);
+}
+void Program::set(std::string_view uniform, int value) const {
+  glProgramUniform1i(name(), location(uniform), value);
+}
+void Program::set(std::string_view uniform, unsigned value) const {
+  glProgramUniform1ui(name(), location(uniform), value);
+}
 void Program::set(std::string_view uniform, glm::vec2 value) const {
   glProgramUniform2fv(name(), location(uniform), 1, glm::value_ptr(value));
 }

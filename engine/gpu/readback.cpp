@@ -20,7 +20,8 @@ Result<ReadbackRing> ReadbackRing::create(std::string_view label, std::size_t by
     forgetErrors();
     glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), nullptr, kFlags | GL_CLIENT_STORAGE_BIT);
     if (glGetError() == GL_NO_ERROR) {
-      slot.mapped = static_cast<const std::byte*>(glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(bytes), kFlags));
+      slot.mapped =
+          static_cast<const std::byte*>(glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(bytes), kFlags));
     }
     if (slot.mapped == nullptr) {
       return makeError(ErrorKind::Machine, "OpenGL has no memory to read back '" + std::string(label) + "' of " +
@@ -43,7 +44,9 @@ ReadbackRing& ReadbackRing::operator=(ReadbackRing&& other) noexcept {
   return *this;
 }
 
-ReadbackRing::~ReadbackRing() { dropFences(); }
+ReadbackRing::~ReadbackRing() {
+  dropFences();
+}
 
 void ReadbackRing::dropFences() {
   for (Slot& slot : m_slots) {
@@ -64,7 +67,8 @@ bool ReadbackRing::request(const Buffer& source, std::size_t offset, std::size_t
   Slot* slot = freeSlot();
   if (slot == nullptr) return false;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glCopyNamedBufferSubData(source.name(), slot->buffer.name(), static_cast<GLintptr>(offset), 0, static_cast<GLsizeiptr>(bytes));
+  glCopyNamedBufferSubData(source.name(), slot->buffer.name(), static_cast<GLintptr>(offset), 0,
+                           static_cast<GLsizeiptr>(bytes));
   slot->bytes = bytes;
   slot->tag = tag;
   slot->fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
@@ -108,8 +112,12 @@ std::optional<ReadbackRing::Arrival> ReadbackRing::collect(Wait wait) {
   return newest;
 }
 
-std::optional<ReadbackRing::Arrival> ReadbackRing::poll() { return collect(Wait::No); }
+std::optional<ReadbackRing::Arrival> ReadbackRing::poll() {
+  return collect(Wait::No);
+}
 
-std::optional<ReadbackRing::Arrival> ReadbackRing::finish() { return collect(Wait::Yes); }
+std::optional<ReadbackRing::Arrival> ReadbackRing::finish() {
+  return collect(Wait::Yes);
+}
 
 }  // namespace windloom::gpu

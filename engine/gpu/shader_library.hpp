@@ -47,7 +47,7 @@ class ShaderLibrary {
   Status loadAll(std::span<const ProgramSpec> specs);
 
   struct Reload {
-    int replaced = 0;             ///< programs that now run newer code
+    int replaced = 0;               ///< programs that now run newer code
     std::vector<Problem> problems;  ///< of programs that keep their old code
   };
   /// Looks at the files of all programs and rebuilds those that changed since they were read.

@@ -54,7 +54,8 @@ class Assembler {
   Status addLines(std::string_view text, const std::string& file, std::size_t index) {
     const bool entry = index == 0;
     if (entry && text.substr(0, 8) != "#version") {
-      return makeError(ErrorKind::Machine, std::string(kRoot) + file, "line 1", "a shader begins with '#version 450 core'");
+      return makeError(ErrorKind::Machine, std::string(kRoot) + file, "line 1",
+                       "a shader begins with '#version 450 core'");
     }
     for (int number = 1; !text.empty(); ++number) {
       const std::size_t end = text.find('\n');
@@ -75,7 +76,8 @@ class Assembler {
     const bool fromRoot = path.rfind(kRoot, 0) == 0;
     const fs::path below = fromRoot ? fs::path(path.substr(kRoot.size())) : fs::path(file).parent_path() / path;
     const std::string name = below.lexically_normal().generic_string();
-    if (std::find(m_source.files.begin(), m_source.files.end(), std::string(kRoot) + name) != m_source.files.end()) return Done{};
+    if (std::find(m_source.files.begin(), m_source.files.end(), std::string(kRoot) + name) != m_source.files.end())
+      return Done{};
     return add(name, std::string(kRoot) + file + ": line " + std::to_string(line));
   }
 
@@ -86,7 +88,8 @@ class Assembler {
       const std::string_view define = rest.substr(0, end);
       const std::size_t equals = define.find('=');
       const std::string name(define.substr(0, equals));
-      addLine("#define " + name + " " + std::string(equals == std::string_view::npos ? "1" : define.substr(equals + 1)), {0, 1});
+      addLine("#define " + name + " " + std::string(equals == std::string_view::npos ? "1" : define.substr(equals + 1)),
+              {0, 1});
       rest = rest.substr(end);
     }
   }
@@ -124,7 +127,8 @@ std::vector<Problem> problemsOfLog(std::string_view log, const ShaderSource& sou
     while (!line.empty() && (line.back() == '\r' || line.back() == '\0' || line.back() == ' ')) line.pop_back();
     if (line.empty()) continue;
     std::smatch match;
-    if (std::regex_match(line, match, kMesa) || std::regex_match(line, match, kNvidia) || std::regex_match(line, match, kOther)) {
+    if (std::regex_match(line, match, kMesa) || std::regex_match(line, match, kNvidia) ||
+        std::regex_match(line, match, kOther)) {
       const std::size_t at = static_cast<std::size_t>(std::strtoul(match[1].str().c_str(), nullptr, 10));
       if (at >= 1 && at <= source.lines.size()) {
         const ShaderSource::Line origin = source.lines[at - 1];

@@ -24,8 +24,8 @@ struct ShaderSource {
 
 /// Reads `file` (below `folder`) and all it includes. Fails with Machine: missing file (naming the including
 /// file and line), no `#version` first. Also on failure `files` read so far are added to `touched`.
-Result<ShaderSource> readShaderSource(const std::filesystem::path& folder, std::string_view file, std::string_view defines,
-                                      std::vector<std::filesystem::path>& touched);
+Result<ShaderSource> readShaderSource(const std::filesystem::path& folder, std::string_view file,
+                                      std::string_view defines, std::vector<std::filesystem::path>& touched);
 
 /// A driver's compile log as problems with real files and lines. Understands the forms of Mesa
 /// ("0:12(5): error: ..."), NVIDIA ("0(12) : error ...") and others ("ERROR: 0:12: ..."); other lines are added to

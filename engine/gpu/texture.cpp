@@ -41,11 +41,12 @@ void setSampling(GLuint name, const TextureOptions& options) {
   const bool nearest = options.filter == Filter::Nearest;
   const GLint minFilter = nearest ? (options.levels == 1 ? GL_NEAREST : GL_NEAREST_MIPMAP_NEAREST)
                                   : (options.filter == Filter::Trilinear ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
-  const GLint wrap = options.wrap == Wrap::Repeat ? GL_REPEAT
-                                                  : (options.wrap == Wrap::Border ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE);
+  const GLint wrap =
+      options.wrap == Wrap::Repeat ? GL_REPEAT : (options.wrap == Wrap::Border ? GL_CLAMP_TO_BORDER : GL_CLAMP_TO_EDGE);
   glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, minFilter);
   glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, nearest ? GL_NEAREST : GL_LINEAR);
-  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) glTextureParameteri(name, axis, wrap);
+  for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R})
+    glTextureParameteri(name, axis, wrap);
   if (options.anisotropy > 1.0f && epoxy_has_gl_extension("GL_EXT_texture_filter_anisotropic")) {
     GLfloat limit = 1.0f;
     glGetFloatv(GL_MAX_TEXTURE_MAX_ANISOTROPY_EXT, &limit);
@@ -58,15 +59,16 @@ void setSampling(GLuint name, const TextureOptions& options) {
 Result<Texture> Texture::finish(std::string_view label, Texture texture, const TextureOptions& options) {
   labelObject(TextureKind::kLabel, texture.name(), label);
   if (glGetError() != GL_NO_ERROR) {
-    return makeError(ErrorKind::Machine,
-                     "OpenGL can't make the texture '" + std::string(label) + "' of " + sizeText(texture.m_size) +
-                         " (no memory for it, or its format is not supported)");
+    return makeError(ErrorKind::Machine, "OpenGL can't make the texture '" + std::string(label) + "' of " +
+                                             sizeText(texture.m_size) +
+                                             " (no memory for it, or its format is not supported)");
   }
   if (texture.m_target != GL_TEXTURE_2D_MULTISAMPLE) setSampling(texture.name(), options);
   return texture;
 }
 
-Result<Texture> Texture::create2D(std::string_view label, glm::ivec2 size, GLenum format, const TextureOptions& options) {
+Result<Texture> Texture::create2D(std::string_view label, glm::ivec2 size, GLenum format,
+                                  const TextureOptions& options) {
   Texture texture;
   texture.m_target = GL_TEXTURE_2D;
   texture.m_format = format;
@@ -97,13 +99,15 @@ Result<Texture> Texture::createArray(std::string_view label, glm::ivec2 size, in
   texture.m_format = format;
   texture.m_size = {size, layers};
   texture.m_levels = levelCount(options.levels, texture.m_size);
-  if (Status fits = checkSize(label, texture.m_size, GL_MAX_TEXTURE_SIZE, GL_MAX_ARRAY_TEXTURE_LAYERS); !fits) return fits.error();
+  if (Status fits = checkSize(label, texture.m_size, GL_MAX_TEXTURE_SIZE, GL_MAX_ARRAY_TEXTURE_LAYERS); !fits)
+    return fits.error();
   makeEmpty(texture.m_target, texture.m_handle);
   glTextureStorage3D(texture.name(), texture.m_levels, format, size.x, size.y, layers);
   return finish(label, std::move(texture), options);
 }
 
-Result<Texture> Texture::create3D(std::string_view label, glm::ivec3 size, GLenum format, const TextureOptions& options) {
+Result<Texture> Texture::create3D(std::string_view label, glm::ivec3 size, GLenum format,
+                                  const TextureOptions& options) {
   Texture texture;
   texture.m_target = GL_TEXTURE_3D;
   texture.m_format = format;
@@ -133,7 +137,9 @@ void Texture::uploadLayer(int layer, GLenum pixelFormat, GLenum pixelType, const
                       pixelFormat, pixelType, data);
 }
 
-void Texture::generateMipmaps() { glGenerateTextureMipmap(name()); }
+void Texture::generateMipmaps() {
+  glGenerateTextureMipmap(name());
+}
 
 void Texture::clear() {
   // The clear value's format must match the kind of the texture's; null means zero for all of them.
@@ -149,7 +155,9 @@ void Texture::read(GLenum pixelFormat, GLenum pixelType, void* data, std::size_t
   glGetTextureImage(name(), 0, pixelFormat, pixelType, static_cast<GLsizei>(bytes), data);
 }
 
-void Texture::bind(unsigned unit) const { glBindTextureUnit(unit, name()); }
+void Texture::bind(unsigned unit) const {
+  glBindTextureUnit(unit, name());
+}
 
 void Texture::bindImage(unsigned unit, GLenum access, int level) const {
   glBindImageTexture(unit, name(), level, GL_TRUE, 0, access, m_format);

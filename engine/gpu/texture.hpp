@@ -26,11 +26,13 @@ class Texture {
 
   /// `format` is a sized internal format such as GL_RG32F. All creators fail with Machine where the size is
   /// over the driver's limit or there is no memory. Contents start undefined.
-  static Result<Texture> create2D(std::string_view label, glm::ivec2 size, GLenum format, const TextureOptions& options = {});
+  static Result<Texture> create2D(std::string_view label, glm::ivec2 size, GLenum format,
+                                  const TextureOptions& options = {});
   static Result<Texture> createMultisampled(std::string_view label, glm::ivec2 size, GLenum format, int samples);
   static Result<Texture> createArray(std::string_view label, glm::ivec2 size, int layers, GLenum format,
                                      const TextureOptions& options = {});
-  static Result<Texture> create3D(std::string_view label, glm::ivec3 size, GLenum format, const TextureOptions& options = {});
+  static Result<Texture> create3D(std::string_view label, glm::ivec3 size, GLenum format,
+                                  const TextureOptions& options = {});
 
   [[nodiscard]] GLuint name() const { return m_handle.name(); }
   [[nodiscard]] GLenum target() const { return m_target; }

@@ -5,7 +5,9 @@
 
 namespace windloom::gpu {
 
-GpuTimer::GpuTimer(int ring) : m_slots(static_cast<std::size_t>(ring)) { WL_REQUIRE(ring > 0, "a timer has a frame"); }
+GpuTimer::GpuTimer(int ring) : m_slots(static_cast<std::size_t>(ring)) {
+  WL_REQUIRE(ring > 0, "a timer has a frame");
+}
 
 void GpuTimer::stamp(Slot& slot) {
   if (slot.used == slot.queries.size()) {
@@ -49,7 +51,8 @@ void GpuTimer::collect(Wait wait) {
     if (wait == Wait::No) glGetQueryObjectiv(last, GL_QUERY_RESULT_AVAILABLE, &available);
     if (wait == Wait::No && available == 0) return;
     std::vector<GLuint64> stamps(slot.used);
-    for (std::size_t i = 0; i < slot.used; ++i) glGetQueryObjectui64v(slot.queries[i].name(), GL_QUERY_RESULT, &stamps[i]);
+    for (std::size_t i = 0; i < slot.used; ++i)
+      glGetQueryObjectui64v(slot.queries[i].name(), GL_QUERY_RESULT, &stamps[i]);
     m_stages.clear();
     for (std::size_t i = 0; i < slot.names.size(); ++i) {
       m_stages.emplace_back(slot.names[i], static_cast<double>(stamps[i + 1] - stamps[i]) * 1e-6);
@@ -70,6 +73,8 @@ double GpuTimer::totalMs() {
   return m_totalMs;
 }
 
-void GpuTimer::finish() { collect(Wait::Yes); }
+void GpuTimer::finish() {
+  collect(Wait::Yes);
+}
 
 }  // namespace windloom::gpu

@@ -13,9 +13,12 @@ VertexArray VertexArray::create(std::string_view label) {
   return array;
 }
 
-void VertexArray::bind() const { glBindVertexArray(name()); }
+void VertexArray::bind() const {
+  glBindVertexArray(name());
+}
 
-void VertexArray::vertexBuffer(unsigned binding, const Buffer& buffer, int strideBytes, unsigned divisor, std::size_t offset) {
+void VertexArray::vertexBuffer(unsigned binding, const Buffer& buffer, int strideBytes, unsigned divisor,
+                               std::size_t offset) {
   glVertexArrayVertexBuffer(name(), binding, buffer.name(), static_cast<GLintptr>(offset), strideBytes);
   glVertexArrayBindingDivisor(name(), binding, divisor);
 }
@@ -38,6 +41,8 @@ void VertexArray::uints(unsigned location, unsigned binding, int components, uns
   glVertexArrayAttribBinding(name(), location, binding);
 }
 
-void VertexArray::indexBuffer(const Buffer& buffer) { glVertexArrayElementBuffer(name(), buffer.name()); }
+void VertexArray::indexBuffer(const Buffer& buffer) {
+  glVertexArrayElementBuffer(name(), buffer.name());
+}
 
 }  // namespace windloom::gpu

@@ -18,7 +18,8 @@ class VertexArray {
   void bind() const;
 
   /// Slot `binding` reads `buffer` with `stride` bytes a vertex, or an instance where divisor is 1.
-  void vertexBuffer(unsigned binding, const Buffer& buffer, int strideBytes, unsigned divisor = 0, std::size_t offset = 0);
+  void vertexBuffer(unsigned binding, const Buffer& buffer, int strideBytes, unsigned divisor = 0,
+                    std::size_t offset = 0);
   /// Attribute `location` takes `components` floats at `offset` of slot `binding`.
   void floats(unsigned location, unsigned binding, int components, unsigned offsetBytes);
   /// As floats(), from bytes that mean 0..1.

@@ -29,9 +29,10 @@ bool writeGrowing(gpu::Buffer& buffer, const char* label, const std::vector<T>& 
 }  // namespace
 
 bool GpuArrows::sameShapes(std::span<const ArrowForce> arrows) const {
-  return std::equal(arrows.begin(), arrows.end(), m_sent.begin(), m_sent.end(), [](const ArrowForce& a, const ArrowForce& b) {
-    return a.from == b.from && a.to == b.to && a.radius == b.radius;
-  });
+  return std::equal(arrows.begin(), arrows.end(), m_sent.begin(), m_sent.end(),
+                    [](const ArrowForce& a, const ArrowForce& b) {
+                      return a.from == b.from && a.to == b.to && a.radius == b.radius;
+                    });
 }
 
 void GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {

@@ -16,7 +16,9 @@ class GpuArrows {
   /// the lists the old arrows stay and the failure goes to the log.
   void send(GpuFields& fields, std::span<const ArrowForce> arrows);
   void bind() const;
-  [[nodiscard]] std::size_t memoryBytes() const { return m_arrowBuffer.bytes() + m_startBuffer.bytes() + m_indexBuffer.bytes(); }
+  [[nodiscard]] std::size_t memoryBytes() const {
+    return m_arrowBuffer.bytes() + m_startBuffer.bytes() + m_indexBuffer.bytes();
+  }
 
  private:
   [[nodiscard]] bool sameShapes(std::span<const ArrowForce> arrows) const;

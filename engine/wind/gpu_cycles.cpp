@@ -4,7 +4,8 @@
 
 namespace windloom {
 namespace {
-constexpr long kMemory = 32;  // steps; long enough to bridge the beat of two colliding whirls, short enough to calm down
+constexpr long kMemory =
+    32;  // steps; long enough to bridge the beat of two colliding whirls, short enough to calm down
 }
 
 void GpuCycles::forget(long nextStep) {

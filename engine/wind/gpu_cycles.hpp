@@ -1,7 +1,7 @@
 #pragma once
-// How many V-cycles the GPU backend records for a step. The GPU skips those it doesn't need, but even skipped dispatches cost
-// time, so the number follows what recent steps needed. It only looks at steps that are at least kDelay back, whether or not
-// newer ones are known: the same run records the same cycles, however fast the GPU answers.
+// How many V-cycles the GPU backend records for a step. The GPU skips those it doesn't need, but even skipped
+// dispatches cost time, so the number follows what recent steps needed. It only looks at steps that are at least kDelay
+// back, whether or not newer ones are known: the same run records the same cycles, however fast the GPU answers.
 
 #include <deque>
 

@@ -9,10 +9,6 @@
 namespace windloom {
 namespace {
 
-int borderCode(Border border) {
-  return border == Border::Open ? WIND_BORDER_OPEN : border == Border::Wall ? WIND_BORDER_WALL : WIND_BORDER_PERIODIC;
-}
-
 /// What lies behind one side of a cell: a link to a neighbour, the ground, or nothing.
 std::uint16_t sideOf(bool blocked, bool border, bool periodic, unsigned link, unsigned ground) {
   if (blocked) return 0;
@@ -21,21 +17,28 @@ std::uint16_t sideOf(bool blocked, bool border, bool periodic, unsigned link, un
 
 /// Whether the node at the low corner of cell (i, k) touches a solid cell.
 bool solidNode(const WindGrid& g, int i, int k) {
-  const int low = i > 0 ? i - 1 : g.periodicX() ? g.width - 1 : i, before = k > 0 ? k - 1 : g.periodicZ() ? g.height - 1 : k;
+  const int low = i > 0           ? i - 1
+                  : g.periodicX() ? g.width - 1
+                                  : i,
+            before = k > 0           ? k - 1
+                     : g.periodicZ() ? g.height - 1
+                                     : k;
   return g.solidAt(low, before) || g.solidAt(i, before) || g.solidAt(low, k) || g.solidAt(i, k);
 }
 
 std::uint16_t flagsOf(const WindGrid& g, int i, int k) {
   const unsigned node = solidNode(g, i, k) ? WIND_SOLID_NODE : 0;
   if (g.solidAt(i, k)) return static_cast<std::uint16_t>(WIND_SOLID | node);
-  return static_cast<std::uint16_t>(node |
-      sideOf(g.blockedX(i, k), i == 0, g.periodicX(), WIND_LINK_X_LOW, WIND_GROUND_X_LOW) |
+  return static_cast<std::uint16_t>(
+      node | sideOf(g.blockedX(i, k), i == 0, g.periodicX(), WIND_LINK_X_LOW, WIND_GROUND_X_LOW) |
       sideOf(g.blockedX(i + 1, k), i + 1 == g.width, g.periodicX(), WIND_LINK_X_HIGH, WIND_GROUND_X_HIGH) |
       sideOf(g.blockedZ(i, k), k == 0, g.periodicZ(), WIND_LINK_Z_LOW, WIND_GROUND_Z_LOW) |
       sideOf(g.blockedZ(i, k + 1), k + 1 == g.height, g.periodicZ(), WIND_LINK_Z_HIGH, WIND_GROUND_Z_HIGH));
 }
 
-int workGroups(int count, int size) { return (count + size - 1) / size; }
+int workGroups(int count, int size) {
+  return (count + size - 1) / size;
+}
 
 /// Floats of the partial sums of the pass with the most work-groups times values.
 std::size_t sumFloats(const WindGrid& grid) {
@@ -46,8 +49,13 @@ std::size_t sumFloats(const WindGrid& grid) {
 
 }  // namespace
 
+int windBorderCode(Border border) {
+  return border == Border::Open ? WIND_BORDER_OPEN : border == Border::Wall ? WIND_BORDER_WALL : WIND_BORDER_PERIODIC;
+}
+
 VelocityLayout::VelocityLayout(const WindGrid& grid)
-    : stride((grid.width + 3 + 3) / 4 * 4), zFaces(stride * (grid.height + 3)),
+    : stride((grid.width + 3 + 3) / 4 * 4),
+      zFaces(stride * (grid.height + 3)),
       floats(2 * static_cast<std::size_t>(stride) * static_cast<std::size_t>(grid.height + 3)) {}
 
 GpuFields::GpuFields(const WindSetup& setup) : grid(makeWindGrid(setup.field, setup.obstacles)), layout(grid) {}
@@ -74,14 +82,15 @@ Result<GpuFields> GpuFields::create(const WindSetup& setup) {
     if (!made) return made.error();
     *wanted.buffer = std::move(*made);
   }
-  Result<gpu::Texture> flags = gpu::Texture::create2D("wind cell flags", size, GL_R16UI, {.filter = gpu::Filter::Nearest});
+  Result<gpu::Texture> flags =
+      gpu::Texture::create2D("wind cell flags", size, GL_R16UI, {.filter = gpu::Filter::Nearest});
   if (!flags) return flags.error();
   f.flags = std::move(*flags);
   Result<gpu::Texture> cells = gpu::Texture::create2D("wind cell velocity", size, GL_RG32F);
   if (!cells) return cells.error();
   f.cells = std::move(*cells);
-  Result<gpu::Texture> gusts =
-      gpu::Texture::create2D("wind gust table", glm::ivec2(WIND_GUST_TABLE), GL_RG32F, {.filter = gpu::Filter::Nearest});
+  Result<gpu::Texture> gusts = gpu::Texture::create2D("wind gust table", glm::ivec2(WIND_GUST_TABLE), GL_RG32F,
+                                                      {.filter = gpu::Filter::Nearest});
   if (!gusts) return gusts.error();
   f.gustTable = std::move(*gusts);
   f.applySettings(setup);
@@ -93,7 +102,8 @@ void GpuFields::uploadFlags() {
   std::vector<std::uint16_t> values(grid.solid.size());
   for (int k = 0; k < grid.height; ++k) {
     for (int i = 0; i < grid.width; ++i) {
-      values[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] = flagsOf(grid, i, k);
+      values[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] =
+          flagsOf(grid, i, k);
     }
   }
   flags.upload(GL_RED_INTEGER, GL_UNSIGNED_SHORT, values.data());
@@ -111,6 +121,10 @@ void GpuFields::applySettings(const WindSetup& setup) {
   }
   solver = setup.solver;
   ambient = setup.ambient;
+  fillBlock(setup);
+}
+
+void GpuFields::fillBlock(const WindSetup& setup) {
   const float dt = setup.field.timeStep;
   glm::vec2 still = ambientVelocity(setup.ambient);
   if (const float speed = glm::length(still); speed > solver.maxSpeed) still *= solver.maxSpeed / speed;
@@ -130,26 +144,30 @@ void GpuFields::applySettings(const WindSetup& setup) {
   b.gustAmplitude = gustAmplitude(ambient);
   b.gustPart = 1 - std::exp(-dt / WIND_GUST_RESPONSE);
   b.gusts = b.gustAmplitude > 0 ? WIND_GUST_LAYERS : 0;
-  b.xMin = borderCode(grid.xMin);
-  b.xMax = borderCode(grid.xMax);
-  b.zMin = borderCode(grid.zMin);
-  b.zMax = borderCode(grid.zMax);
-  const WallSpeeds walls = setup.noSlip.value_or(WallSpeeds{});
-  b.wallXMin = walls.xMin;
-  b.wallXMax = walls.xMax;
-  b.wallZMin = walls.zMin;
-  b.wallZMax = walls.zMax;
-  b.noSlip = setup.noSlip ? 1 : 0;
   b.keep = 1 / (1 + solver.dissipation * dt);
   b.confinement = solver.confinement;
   b.tolerance = solver.divergenceTolerance;
   b.perAir = 1 / static_cast<float>(std::max<std::size_t>(grid.airCells, 1));
   b.perCell = 1 / static_cast<float>(grid.solid.size());
+  fillBorders(setup.noSlip);
   const double bx = double(solver.viscosity) * double(dt) / (double(grid.hx) * double(grid.hx));
   const double bz = double(solver.viscosity) * double(dt) / (double(grid.hz) * double(grid.hz));
   b.viscosityX = static_cast<float>(bx);
   b.viscosityZ = static_cast<float>(bz);
   b.viscosityInverse = static_cast<float>(1 / (1 + 2 * bx + 2 * bz));
+}
+
+void GpuFields::fillBorders(const std::optional<WallSpeeds>& noSlip) {
+  block.xMin = windBorderCode(grid.xMin);
+  block.xMax = windBorderCode(grid.xMax);
+  block.zMin = windBorderCode(grid.zMin);
+  block.zMax = windBorderCode(grid.zMax);
+  const WallSpeeds walls = noSlip.value_or(WallSpeeds{});
+  block.wallXMin = walls.xMin;
+  block.wallXMax = walls.xMax;
+  block.wallZMin = walls.zMin;
+  block.wallZMax = walls.zMax;
+  block.noSlip = noSlip ? 1 : 0;
 }
 
 void GpuFields::sendBlock() {
@@ -167,7 +185,8 @@ void GpuFields::bindShared() const {
 }
 
 std::size_t GpuFields::memoryBytes() const {
-  std::size_t sum = grid.solid.size() * (sizeof(std::uint16_t) + sizeof(glm::vec2)) + sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE;
+  std::size_t sum = grid.solid.size() * (sizeof(std::uint16_t) + sizeof(glm::vec2)) +
+                    sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE;
   for (const gpu::Buffer* b : {&velocity, &carried, &first, &moved, &control, &sums, &blockBuffer}) sum += b->bytes();
   return sum;
 }

@@ -3,6 +3,7 @@
 // shaders/shared/wind_block.h says how they lie in the buffers.
 
 #include <glm/glm.hpp>
+#include <optional>
 #include <vector>
 
 #include "engine/gpu/buffer.hpp"
@@ -27,6 +28,9 @@ struct VelocityLayout {
   }
 };
 
+/// WIND_BORDER_OPEN and so on.
+int windBorderCode(Border border);
+
 struct GpuFields {
   WindGrid grid;
   SolverSettings solver;
@@ -34,14 +38,14 @@ struct GpuFields {
   VelocityLayout layout;
   shared::WindBlock block{};
 
-  gpu::Buffer velocity;              ///< the field that left the last step
-  gpu::Buffer carried, first, moved; ///< q; q'; q*
-  gpu::Buffer control;               ///< shared::WindControl
-  gpu::Buffer sums;                  ///< of work-groups
+  gpu::Buffer velocity;               ///< the field that left the last step
+  gpu::Buffer carried, first, moved;  ///< q; q'; q*
+  gpu::Buffer control;                ///< shared::WindControl
+  gpu::Buffer sums;                   ///< of work-groups
   gpu::Buffer blockBuffer;
-  gpu::Texture flags;                ///< of cells, WIND_LINK_X_LOW and so on
+  gpu::Texture flags;  ///< of cells, WIND_LINK_X_LOW and so on
   gpu::Texture gustTable;
-  gpu::Texture cells;                ///< cell velocity, what others read
+  gpu::Texture cells;  ///< cell velocity, what others read
 
   /// Fails with Machine where the GPU has no memory for the grid.
   static Result<GpuFields> create(const WindSetup& setup);
@@ -60,6 +64,8 @@ struct GpuFields {
  private:
   explicit GpuFields(const WindSetup& setup);
   void uploadFlags();
+  void fillBlock(const WindSetup& setup);
+  void fillBorders(const std::optional<WallSpeeds>& noSlip);
   shared::WindBlock m_sent{};
   int m_gustSeed = 0;
   bool m_hasGusts = false, m_hasSent = false;

@@ -1,5 +1,5 @@
-// Multigrid as in docs/solver.md section 6, cut for few dispatches: levels are coarsened by four, a dispatch does all sweeps of
-// a level with what comes before and after them, and the small levels share one work-group.
+// Multigrid as in docs/solver.md section 6, cut for few dispatches: levels are coarsened by four, a dispatch does all
+// sweeps of a level with what comes before and after them, and the small levels share one work-group.
 #include "engine/wind/gpu_pressure.hpp"
 
 #include <algorithm>
@@ -14,11 +14,17 @@ constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples 
 constexpr CoarseningRule kCoarsening = WIND_GPU_COARSENING == 4 ? coarseningByFour : coarseningOf;
 constexpr std::size_t kTailCommand = WIND_MAX_LEVELS - 1;
 
-std::size_t commandOffset(std::size_t level) { return offsetof(shared::WindControl, groups) + level * 4 * sizeof(shared::uint); }
+std::size_t commandOffset(std::size_t level) {
+  return offsetof(shared::WindControl, groups) + level * 4 * sizeof(shared::uint);
+}
 
-std::size_t cellCount(const PressureLevel& level) { return static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height); }
+std::size_t cellCount(const PressureLevel& level) {
+  return static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
+}
 
-int groupsAcross(int cells) { return (cells + WIND_INNER - 1) / WIND_INNER; }
+int groupsAcross(int cells) {
+  return (cells + WIND_INNER - 1) / WIND_INNER;
+}
 
 /// Conductances and shares of the low faces of each node, (width + 1) x (height + 1).
 std::vector<glm::vec4> packFaces(const PressureLevel& level) {
@@ -58,17 +64,15 @@ std::size_t firstOfTail(std::span<const PressureLevel> levels) {
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &limit);
   for (std::size_t first = 1;; ++first) {
     const bool last = first + 1 == levels.size();
-    if (last || (cellCount(levels[first]) <= WIND_TAIL_CELLS && tailSize(levels, first).bytes() <= static_cast<std::size_t>(limit))) {
+    if (last || (cellCount(levels[first]) <= WIND_TAIL_CELLS &&
+                 tailSize(levels, first).bytes() <= static_cast<std::size_t>(limit))) {
       return first;
     }
   }
 }
 
-int borderCode(Border border) {
-  return border == Border::Open ? WIND_BORDER_OPEN : border == Border::Wall ? WIND_BORDER_WALL : WIND_BORDER_PERIODIC;
-}
-
-Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::BufferUse use = gpu::BufferUse::Static, const void* data = nullptr) {
+Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::BufferUse use = gpu::BufferUse::Static,
+            const void* data = nullptr) {
   Result<gpu::Buffer> made = gpu::Buffer::create(label, bytes, use, data);
   if (!made) return made.error();
   target = std::move(*made);
@@ -76,7 +80,9 @@ Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::Buff
 }
 
 /// The reading pass names the writer: every pass of the solve reads what the one before it wrote to storage buffers.
-void afterLastPass() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT); }
+void afterLastPass() {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+}
 
 }  // namespace
 
@@ -117,10 +123,14 @@ Status GpuPressure::rebuild(GpuFields& fields) {
 Status GpuPressure::makeLevel(Level& level, const PressureLevel& source) {
   const std::vector<glm::vec4> faces = packFaces(source);
   const std::size_t bytes = cellCount(source) * sizeof(float);
-  if (Status made = make(level.faces, "wind level faces", faces.size() * sizeof(glm::vec4), gpu::BufferUse::Static, faces.data()); !made) {
+  if (Status made =
+          make(level.faces, "wind level faces", faces.size() * sizeof(glm::vec4), gpu::BufferUse::Static, faces.data());
+      !made) {
     return made;
   }
-  if (Status made = make(level.inverse, "wind level diagonal", bytes, gpu::BufferUse::Static, source.inverseDiagonal.data()); !made) {
+  if (Status made =
+          make(level.inverse, "wind level diagonal", bytes, gpu::BufferUse::Static, source.inverseDiagonal.data());
+      !made) {
     return made;
   }
   for (gpu::Buffer* buffer : {&level.flux, &level.down, &level.up}) {
@@ -138,10 +148,14 @@ Status GpuPressure::makeTail(std::span<const PressureLevel> levels, std::size_t 
     inverse.insert(inverse.end(), level.inverseDiagonal.begin(), level.inverseDiagonal.end());
   }
   const std::size_t bytes = cellCount(levels[first]) * sizeof(float);
-  if (Status made = make(m_tailFaces, "wind tail faces", faces.size() * sizeof(glm::vec4), gpu::BufferUse::Static, faces.data()); !made) {
+  if (Status made =
+          make(m_tailFaces, "wind tail faces", faces.size() * sizeof(glm::vec4), gpu::BufferUse::Static, faces.data());
+      !made) {
     return made;
   }
-  if (Status made = make(m_tailInverse, "wind tail diagonals", inverse.size() * sizeof(float), gpu::BufferUse::Static, inverse.data()); !made) {
+  if (Status made = make(m_tailInverse, "wind tail diagonals", inverse.size() * sizeof(float), gpu::BufferUse::Static,
+                         inverse.data());
+      !made) {
     return made;
   }
   if (Status made = make(m_tailFlux, "wind tail flux", bytes); !made) return made;
@@ -165,10 +179,10 @@ Status GpuPressure::sendLevels(std::span<const PressureLevel> levels, const Wind
     b.coarseHeight = next ? next->height : 0;
     b.factorX = next ? next->factorX : 1;
     b.factorZ = next ? next->factorZ : 1;
-    b.xMin = borderCode(grid.xMin);
-    b.xMax = borderCode(grid.xMax);
-    b.zMin = borderCode(grid.zMin);
-    b.zMax = borderCode(grid.zMax);
+    b.xMin = windBorderCode(grid.xMin);
+    b.xMax = windBorderCode(grid.xMax);
+    b.zMin = windBorderCode(grid.zMin);
+    b.zMax = windBorderCode(grid.zMax);
     b.groupsX = groupsAcross(b.width);
     b.groupsZ = groupsAcross(b.height);
     if (l < m_levels.size()) continue;
@@ -184,7 +198,9 @@ Status GpuPressure::sendLevels(std::span<const PressureLevel> levels, const Wind
     m_levels[l].block = blocks[l];
     std::memcpy(&spread[l * kBlockStride], &blocks[l], sizeof blocks[l]);
   }
-  if (Status made = make(m_levelBlocks, "wind level blocks", spread.size(), gpu::BufferUse::Static, spread.data()); !made) return made;
+  if (Status made = make(m_levelBlocks, "wind level blocks", spread.size(), gpu::BufferUse::Static, spread.data());
+      !made)
+    return made;
   return make(m_allLevels, "wind levels", blocks.size() * sizeof blocks[0], gpu::BufferUse::Static, blocks.data());
 }
 
@@ -216,7 +232,9 @@ Status GpuPressure::loadPrograms() {
 const gpu::Buffer& GpuPressure::fluxOf(std::size_t level) const {
   return level == 0 ? m_flux : level == m_levels.size() ? m_tailFlux : m_levels[level].flux;
 }
-const gpu::Buffer& GpuPressure::downOf(std::size_t level) const { return level == 0 ? m_planes[m_down] : m_levels[level].down; }
+const gpu::Buffer& GpuPressure::downOf(std::size_t level) const {
+  return level == 0 ? m_planes[m_down] : m_levels[level].down;
+}
 const gpu::Buffer& GpuPressure::upOf(std::size_t level) const {
   return level == 0 ? m_planes[m_up] : level == m_levels.size() ? m_tailUp : m_levels[level].up;
 }
@@ -315,8 +333,8 @@ void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, cons
 }
 
 std::size_t GpuPressure::memoryBytes() const {
-  std::size_t sum = m_flux.bytes() + m_levelBlocks.bytes() + m_allLevels.bytes() + m_tailFaces.bytes() + m_tailInverse.bytes() +
-                    m_tailFlux.bytes() + m_tailUp.bytes();
+  std::size_t sum = m_flux.bytes() + m_levelBlocks.bytes() + m_allLevels.bytes() + m_tailFaces.bytes() +
+                    m_tailInverse.bytes() + m_tailFlux.bytes() + m_tailUp.bytes();
   for (const gpu::Buffer& plane : m_planes) sum += plane.bytes();
   for (const Level& level : m_levels) {
     for (const gpu::Buffer* b : {&level.faces, &level.inverse, &level.flux, &level.down, &level.up}) sum += b->bytes();

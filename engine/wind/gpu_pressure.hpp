@@ -1,6 +1,6 @@
 #pragma once
-// The pressure solve of the GPU backend: multigrid or plain Jacobi sweeps. docs/solver.md section 6, with the levels and
-// sweeps of shaders/shared/wind_gpu_constants.h.
+// The pressure solve of the GPU backend: multigrid or plain Jacobi sweeps. docs/solver.md section 6, with the levels
+// and sweeps of shaders/shared/wind_gpu_constants.h.
 
 #include <span>
 #include <string>
@@ -21,8 +21,8 @@ class GpuPressure {
   /// Makes the levels again after the solids changed.
   Status rebuild(GpuFields& fields);
 
-  /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from the last step's pressure. The
-  /// GPU skips cycles once it has converged.
+  /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from the last step's pressure.
+  /// The GPU skips cycles once it has converged.
   void solve(const GpuFields& fields, const gpu::Buffer& star, int cycles);
 
   /// u = q* - grad phi - grad d into `result` with ghosts, phi += d, cell velocities and the numbers of the step.
@@ -63,8 +63,8 @@ class GpuPressure {
   gpu::Buffer m_allLevels;      // one after the other
   gpu::Buffer m_tailFaces, m_tailInverse, m_tailFlux, m_tailUp;
   std::string m_tailDefines;
-  gpu::Buffer m_planes[3];      // phi, d after the way down and d after the way up of level 0 take turns in these
-  gpu::Buffer m_flux;           // b of level 0
+  gpu::Buffer m_planes[3];  // phi, d after the way down and d after the way up of level 0 take turns in these
+  gpu::Buffer m_flux;       // b of level 0
   std::size_t m_phi = 0, m_down = 1, m_up = 2;
   const gpu::Program *m_first = nullptr, *m_tail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
   const gpu::Program *m_project = nullptr, *m_projectJacobi = nullptr;

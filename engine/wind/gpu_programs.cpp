@@ -8,11 +8,11 @@ namespace windloom {
 namespace {
 
 // clang-format off
-#define WIND_PRESSURE_VARIANTS(X, Z)                                                                                      \
-  {"wind/pressure first " #X "x" #Z, {"wind/pressure_down.comp"}, "FIRST FACTOR_X=" #X " FACTOR_Z=" #Z},                  \
-  {"wind/pressure again " #X "x" #Z, {"wind/pressure_down.comp"}, "LEVEL0 FACTOR_X=" #X " FACTOR_Z=" #Z},                 \
-  {"wind/pressure down " #X "x" #Z, {"wind/pressure_down.comp"}, "FROM_ZERO FACTOR_X=" #X " FACTOR_Z=" #Z},               \
-  {"wind/pressure up " #X "x" #Z, {"wind/pressure_up.comp"}, "FACTOR_X=" #X " FACTOR_Z=" #Z},                             \
+#define WIND_PRESSURE_VARIANTS(X, Z) \
+  {"wind/pressure first " #X "x" #Z, {"wind/pressure_down.comp"}, "FIRST FACTOR_X=" #X " FACTOR_Z=" #Z}, \
+  {"wind/pressure again " #X "x" #Z, {"wind/pressure_down.comp"}, "LEVEL0 FACTOR_X=" #X " FACTOR_Z=" #Z}, \
+  {"wind/pressure down " #X "x" #Z, {"wind/pressure_down.comp"}, "FROM_ZERO FACTOR_X=" #X " FACTOR_Z=" #Z}, \
+  {"wind/pressure up " #X "x" #Z, {"wind/pressure_up.comp"}, "FACTOR_X=" #X " FACTOR_Z=" #Z}, \
   {"wind/pressure top " #X "x" #Z, {"wind/pressure_up.comp"}, "LEVEL0 FACTOR_X=" #X " FACTOR_Z=" #Z}
 
 constexpr gpu::ProgramSpec kPrograms[] = {
@@ -45,7 +45,9 @@ constexpr gpu::ProgramSpec kPrograms[] = {
 
 }  // namespace
 
-std::span<const gpu::ProgramSpec> windPrograms() { return kPrograms; }
+std::span<const gpu::ProgramSpec> windPrograms() {
+  return kPrograms;
+}
 
 const gpu::ProgramSpec& windProgram(std::string_view name) {
   const auto* found = std::find_if(std::begin(kPrograms), std::end(kPrograms),
@@ -55,7 +57,8 @@ const gpu::ProgramSpec& windProgram(std::string_view name) {
 }
 
 const gpu::ProgramSpec& pressureProgram(std::string_view pass, glm::ivec2 factor) {
-  return windProgram("wind/pressure " + std::string(pass) + " " + std::to_string(factor.x) + "x" + std::to_string(factor.y));
+  return windProgram("wind/pressure " + std::string(pass) + " " + std::to_string(factor.x) + "x" +
+                     std::to_string(factor.y));
 }
 
 }  // namespace windloom

@@ -9,9 +9,13 @@ namespace windloom {
 namespace {
 
 /// The reading pass names the writer: here always the pass before, through storage buffers.
-void afterLastPass() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); }
+void afterLastPass() {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
 
-glm::ivec2 facesOf(const GpuFields& fields) { return {fields.width() + 1, fields.height() + 1}; }
+glm::ivec2 facesOf(const GpuFields& fields) {
+  return {fields.width() + 1, fields.height() + 1};
+}
 
 bool hasForces(const GpuFields& fields) {
   const shared::WindBlock& b = fields.block;

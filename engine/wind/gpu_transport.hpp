@@ -1,6 +1,6 @@
 #pragma once
-// Forces, advection and viscosity of the GPU backend: everything of a step before the projection. docs/solver.md sections 2
-// to 5.
+// Forces, advection and viscosity of the GPU backend: everything of a step before the projection. docs/solver.md
+// sections 2 to 5.
 
 #include "engine/gpu/program.hpp"
 #include "engine/gpu/shader_library.hpp"

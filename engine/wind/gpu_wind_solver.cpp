@@ -45,8 +45,11 @@ class GpuWindSolver final : public WindSolver {
  private:
   GpuWindSolver(GpuFields fields, GpuTransport transport, GpuPressure pressure, gpu::ReadbackRing ring,
                 const gpu::Program& resample)
-      : m_fields(std::move(fields)), m_transport(std::move(transport)), m_pressure(std::move(pressure)),
-        m_ring(std::move(ring)), m_resample(resample) {}
+      : m_fields(std::move(fields)),
+        m_transport(std::move(transport)),
+        m_pressure(std::move(pressure)),
+        m_ring(std::move(ring)),
+        m_resample(resample) {}
 
   void takeReports(long upTo, gpu::ReadbackRing::Wait wait);
   void take(long step, const shared::WindControl& report);
@@ -74,7 +77,8 @@ Result<std::unique_ptr<WindSolver>> GpuWindSolver::make(const WindSetup& setup, 
   if (!transport) return transport.error();
   Result<GpuPressure> pressure = GpuPressure::create(*fields, shaders);
   if (!pressure) return pressure.error();
-  Result<gpu::ReadbackRing> ring = gpu::ReadbackRing::create("wind reports", kReportBytes, static_cast<int>(GpuCycles::kDelay) + 1);
+  Result<gpu::ReadbackRing> ring =
+      gpu::ReadbackRing::create("wind reports", kReportBytes, static_cast<int>(GpuCycles::kDelay) + 1);
   if (!ring) return ring.error();
   const Result<gpu::Program*> resample = shaders.load(windProgram("wind/resample"));
   if (!resample) return resample.error();
@@ -95,12 +99,14 @@ void GpuWindSolver::configure(const WindSetup& setup) {
   if (newSolids) {
     m_cycles.forget(m_step + 1);
     // Where the levels can't be made the old ones stay: their conductances are wrong, their sizes right.
-    if (const Status made = m_pressure.rebuild(m_fields); !made) WL_REQUIRE(false, "levels of a grid that fit before fit again");
+    if (const Status made = m_pressure.rebuild(m_fields); !made)
+      WL_REQUIRE(false, "levels of a grid that fit before fit again");
   }
   m_fields.sendBlock();
   // The ghosts hold the ambient wind, and new solids stop the air inside them.
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);  // velocity by the last step's projection
-  glCopyNamedBufferSubData(m_fields.velocity.name(), m_fields.carried.name(), 0, 0, static_cast<GLsizeiptr>(m_fields.velocity.bytes()));
+  glCopyNamedBufferSubData(m_fields.velocity.name(), m_fields.carried.name(), 0, 0,
+                           static_cast<GLsizeiptr>(m_fields.velocity.bytes()));
   m_transport.fill(m_fields);
   if (newSolids || oldSpeedLimit != m_fields.solver.maxSpeed) resample();
 }
@@ -173,7 +179,8 @@ void GpuWindSolver::clearControl() {
 void GpuWindSolver::startFrom(const std::vector<float>& faces) {
   takeReports(m_step, gpu::ReadbackRing::Wait::Yes);
   m_fields.carried = gpu::Buffer();  // its place is taken by one that already holds the faces
-  Result<gpu::Buffer> filled = gpu::Buffer::create("wind carried", faces.size() * sizeof(float), gpu::BufferUse::Static, faces.data());
+  Result<gpu::Buffer> filled =
+      gpu::Buffer::create("wind carried", faces.size() * sizeof(float), gpu::BufferUse::Static, faces.data());
   WL_REQUIRE(filled.ok(), "a buffer that was there before is there again");
   m_fields.carried = std::move(*filled);
   clearControl();
@@ -226,7 +233,8 @@ void GpuWindSolver::readVelocity(std::vector<glm::vec2>& cells) {
 
 }  // namespace
 
-Result<std::unique_ptr<WindSolver>> makeGpuWindSolver(const WindSetup& setup, gpu::Context& context, gpu::ShaderLibrary& shaders) {
+Result<std::unique_ptr<WindSolver>> makeGpuWindSolver(const WindSetup& setup, gpu::Context& context,
+                                                      gpu::ShaderLibrary& shaders) {
   if (Status status = checkWindSetup(setup); !status) return status.error();
   context.makeCurrent();
   return GpuWindSolver::make(setup, shaders);

@@ -7,15 +7,17 @@ namespace windloom {
 namespace {
 
 constexpr gpu::ProgramSpec kPrograms[] = {
-    {"wind/plain force", {"wind/plain_force.comp"}},         {"wind/plain curl", {"wind/plain_curl.comp"}},
-    {"wind/plain confine", {"wind/plain_confine.comp"}},     {"wind/plain divergence", {"wind/plain_divergence.comp"}},
-    {"wind/plain sweep", {"wind/plain_sweep.comp"}},         {"wind/plain subtract", {"wind/plain_subtract.comp"}},
+    {"wind/plain force", {"wind/plain_force.comp"}},     {"wind/plain curl", {"wind/plain_curl.comp"}},
+    {"wind/plain confine", {"wind/plain_confine.comp"}}, {"wind/plain divergence", {"wind/plain_divergence.comp"}},
+    {"wind/plain sweep", {"wind/plain_sweep.comp"}},     {"wind/plain subtract", {"wind/plain_subtract.comp"}},
     {"wind/plain advect", {"wind/plain_advect.comp"}},
 };
 
 }  // namespace
 
-std::span<const gpu::ProgramSpec> plainPrograms() { return kPrograms; }
+std::span<const gpu::ProgramSpec> plainPrograms() {
+  return kPrograms;
+}
 
 Result<PlainScheme> PlainScheme::create(gpu::ShaderLibrary& shaders, glm::ivec2 cells) {
   PlainScheme scheme;
@@ -25,9 +27,9 @@ Result<PlainScheme> PlainScheme::create(gpu::ShaderLibrary& shaders, glm::ivec2 
     if (!program) return program.error();
     scheme.m_programs[n] = *program;
   }
-  const std::pair<gpu::Texture*, GLenum> wanted[] = {{&scheme.m_velocity[0], GL_RG32F}, {&scheme.m_velocity[1], GL_RG32F},
-                                                     {&scheme.m_pressure[0], GL_R32F},  {&scheme.m_pressure[1], GL_R32F},
-                                                     {&scheme.m_curl, GL_R32F},         {&scheme.m_divergence, GL_R32F}};
+  const std::pair<gpu::Texture*, GLenum> wanted[] = {
+      {&scheme.m_velocity[0], GL_RG32F}, {&scheme.m_velocity[1], GL_RG32F}, {&scheme.m_pressure[0], GL_R32F},
+      {&scheme.m_pressure[1], GL_R32F},  {&scheme.m_curl, GL_R32F},         {&scheme.m_divergence, GL_R32F}};
   for (const auto& [texture, format] : wanted) {
     Result<gpu::Texture> made = gpu::Texture::create2D("plain scheme", cells, format, {.filter = gpu::Filter::Linear});
     if (!made) return made.error();
@@ -92,7 +94,8 @@ std::pair<double, double> PlainScheme::measureStep(float dt) {
 }
 
 void PlainScheme::setVelocity(std::span<const glm::vec2> cells) {
-  WL_REQUIRE(cells.size() == static_cast<std::size_t>(m_cells.x) * static_cast<std::size_t>(m_cells.y), "a velocity for each cell");
+  WL_REQUIRE(cells.size() == static_cast<std::size_t>(m_cells.x) * static_cast<std::size_t>(m_cells.y),
+             "a velocity for each cell");
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   m_velocity[m_at].upload(GL_RG, GL_FLOAT, cells.data());
   m_pressure[0].clear();
@@ -121,8 +124,8 @@ std::size_t PlainScheme::memoryBytes() const {
   return static_cast<std::size_t>(m_cells.x) * static_cast<std::size_t>(m_cells.y) * (2 * 8 + 4 * 4);
 }
 
-void plainJacobiSweep(ThreadPool& pool, int width, int height, std::span<const float> p, std::span<const float> divergence,
-                      std::span<float> next) {
+void plainJacobiSweep(ThreadPool& pool, int width, int height, std::span<const float> p,
+                      std::span<const float> divergence, std::span<float> next) {
   const auto w = static_cast<std::size_t>(width);
   const std::vector<float> outside(w, 0.0f);
   constexpr int kRows = 64;

@@ -1,7 +1,7 @@
 #pragma once
-// The paper's scheme written the plain way, as a yardstick for `windloom bench solver`: collocated grid, textures, one pass a
-// dispatch, 20 Jacobi sweeps of one dispatch each, 26 dispatches a step. Source: Choi & Sung, CWD-Sim, 2024, eq. 4 to 10, with
-// the corrections of docs/solver.md.
+// The paper's scheme written the plain way, as a yardstick for `windloom bench solver`: collocated grid, textures, one
+// pass a dispatch, 20 Jacobi sweeps of one dispatch each, 26 dispatches a step. Source: Choi & Sung, CWD-Sim, 2024, eq.
+// 4 to 10, with the corrections of docs/solver.md.
 
 #include <glm/glm.hpp>
 #include <span>
@@ -23,14 +23,15 @@ class PlainScheme {
   /// A field of `cells` cells of one metre. Fails with Machine.
   static Result<PlainScheme> create(gpu::ShaderLibrary& shaders, glm::ivec2 cells);
 
-  /// One step of `dt` seconds: force at the centre of the field, curl, confinement, divergence, sweeps, gradient, advection.
+  /// One step of `dt` seconds: force at the centre of the field, curl, confinement, divergence, sweeps, gradient,
+  /// advection.
   void step(float dt);
 
   /// Velocities of the cells, m/s, row by row; the pressure is forgotten.
   void setVelocity(std::span<const glm::vec2> cells);
 
-  /// As step(), and gives the RMS of the divergence (central differences, 1/s) before and after its projection. Waits for
-  /// the GPU.
+  /// As step(), and gives the RMS of the divergence (central differences, 1/s) before and after its projection. Waits
+  /// for the GPU.
   std::pair<double, double> measureStep(float dt);
   /// The same for one projection of the velocity as it is, which stays unchanged; the pressure starts from 0.
   std::pair<double, double> measureProjection();
@@ -58,9 +59,9 @@ class PlainScheme {
 /// The programs of the scheme.
 std::span<const gpu::ProgramSpec> plainPrograms();
 
-/// One plain Jacobi sweep on the CPU, the unit that CPU solvers are measured in: next = (sum of the four neighbours of p -
-/// divergence) / 4 on width x height cells, p = 0 outside.
-void plainJacobiSweep(ThreadPool& pool, int width, int height, std::span<const float> p, std::span<const float> divergence,
-                      std::span<float> next);
+/// One plain Jacobi sweep on the CPU, the unit that CPU solvers are measured in: next = (sum of the four neighbours of
+/// p - divergence) / 4 on width x height cells, p = 0 outside.
+void plainJacobiSweep(ThreadPool& pool, int width, int height, std::span<const float> p,
+                      std::span<const float> divergence, std::span<float> next);
 
 }  // namespace windloom

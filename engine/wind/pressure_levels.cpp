@@ -1,5 +1,6 @@
 // Cell-centred multigrid: Wesseling, An Introduction to Multigrid Methods, 1992; solids as open lengths of coarse faces
-// in the manner of McAdams, Sifakis & Teran, A parallel multigrid Poisson solver for fluids simulation on large grids, 2010.
+// in the manner of McAdams, Sifakis & Teran, A parallel multigrid Poisson solver for fluids simulation on large grids,
+// 2010.
 #include "engine/wind/pressure_levels.hpp"
 
 #include <algorithm>
@@ -17,7 +18,9 @@ struct Geometry {
   std::vector<double> openX, openZ;   // open lengths of the faces, m
 };
 
-Index at(int i, int k, int stride) { return static_cast<Index>(k) * static_cast<Index>(stride) + static_cast<Index>(i); }
+Index at(int i, int k, int stride) {
+  return static_cast<Index>(k) * static_cast<Index>(stride) + static_cast<Index>(i);
+}
 
 Geometry fineGeometry(const WindGrid& grid) {
   Geometry g;
@@ -44,13 +47,15 @@ Geometry coarsen(const Geometry& fine, glm::ivec2 factor) {
   g.cellSize = fine.cellSize * glm::dvec2(factor);
   g.columns.assign(static_cast<Index>(g.width), 0);
   g.rows.assign(static_cast<Index>(g.height), 0);
-  for (int i = 0; i < fine.width; ++i) g.columns[static_cast<Index>(i / factor.x)] += fine.columns[static_cast<Index>(i)];
+  for (int i = 0; i < fine.width; ++i)
+    g.columns[static_cast<Index>(i / factor.x)] += fine.columns[static_cast<Index>(i)];
   for (int k = 0; k < fine.height; ++k) g.rows[static_cast<Index>(k / factor.y)] += fine.rows[static_cast<Index>(k)];
   g.openX.assign(static_cast<Index>(g.width + 1) * static_cast<Index>(g.height), 0);
   g.openZ.assign(static_cast<Index>(g.width) * static_cast<Index>(g.height + 1), 0);
   for (int k = 0; k < fine.height; ++k) {
     for (int i = 0; i <= g.width; ++i) {
-      g.openX[at(i, k / factor.y, g.width + 1)] += fine.openX[at(std::min(i * factor.x, fine.width), k, fine.width + 1)];
+      g.openX[at(i, k / factor.y, g.width + 1)] +=
+          fine.openX[at(std::min(i * factor.x, fine.width), k, fine.width + 1)];
     }
   }
   for (int k = 0; k <= g.height; ++k) {

@@ -1,4 +1,5 @@
-// What every pass of the GPU wind solver knows (std140), and where its buffers are bound. docs/solver.md names the arrays.
+// What every pass of the GPU wind solver knows (std140), and where its buffers are bound. docs/solver.md names the
+// arrays.
 #ifndef WINDLOOM_SHARED_WIND_BLOCK_H
 #define WINDLOOM_SHARED_WIND_BLOCK_H
 #include "shaders/shared/language.h"
@@ -11,8 +12,8 @@ WL_SHARED_BEGIN
 #define WIND_BORDER_WALL 1
 #define WIND_BORDER_PERIODIC 2
 
-// Cell flags: neighbours that air reaches, sides that are open to the ground (p = 0), solid, and whether the node at the cell's
-// low corner touches a solid cell.
+// Cell flags: neighbours that air reaches, sides that are open to the ground (p = 0), solid, and whether the node at
+// the cell's low corner touches a solid cell.
 #define WIND_LINK_X_LOW 1u
 #define WIND_LINK_X_HIGH 2u
 #define WIND_LINK_Z_LOW 4u
@@ -122,8 +123,9 @@ WL_SHARED_END
 #ifdef __cplusplus
 #include <cstddef>
 static_assert(sizeof(windloom::shared::WindBlock) == 160 + 96, "std140 layout");
-static_assert(offsetof(windloom::shared::WindBlock, minCorner) == 32 && offsetof(windloom::shared::WindBlock, ambient) == 48 &&
-                  offsetof(windloom::shared::WindBlock, gustLayers) == 160, "std140 layout");
+static_assert(offsetof(windloom::shared::WindBlock, minCorner) == 32, "std140 layout");
+static_assert(offsetof(windloom::shared::WindBlock, ambient) == 48, "std140 layout");
+static_assert(offsetof(windloom::shared::WindBlock, gustLayers) == 160, "std140 layout");
 static_assert(sizeof(windloom::shared::WindLevel) == 64, "std140 layout");
 static_assert(offsetof(windloom::shared::WindControl, groups) == 64, "std430 layout");
 #endif

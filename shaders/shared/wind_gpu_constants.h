@@ -1,5 +1,5 @@
-// How the GPU wind solver cuts its work, the same in C++ and GLSL. These don't change results beyond the tolerance of the
-// pressure solve, only speed: docs/benchmarks.md says what was measured.
+// How the GPU wind solver cuts its work, the same in C++ and GLSL. These don't change results beyond the tolerance of
+// the pressure solve, only speed: docs/benchmarks.md says what was measured.
 #ifndef WINDLOOM_SHARED_WIND_GPU_CONSTANTS_H
 #define WINDLOOM_SHARED_WIND_GPU_CONSTANTS_H
 
@@ -11,21 +11,21 @@
 #define WIND_FORCE_GROUP_X 32
 #define WIND_FORCE_GROUP_Z 16
 
-// Pressure: a work-group holds a region of WIND_REGION x WIND_REGION cells in shared memory and registers, each invocation
-// a strip of WIND_STRIP cells along z; the inner cells, WIND_HALO from each side, are its result.
+// Pressure: a work-group holds a region of WIND_REGION x WIND_REGION cells in shared memory and registers, each
+// invocation a strip of WIND_STRIP cells along z; the inner cells, WIND_HALO from each side, are its result.
 #define WIND_REGION 64
 #define WIND_STRIP 4
 #define WIND_HALO 8
 #define WIND_INNER (WIND_REGION - 2 * WIND_HALO)
 #define WIND_STRIPS (WIND_REGION / WIND_STRIP)
 
-// How many cells of a level, along each axis, make one of the next: 4, or 2 as on the CPU (then with 3 sweeps from 0.5).
+// How many cells of a level, along each axis, make one of the next: 4; or 2 as on the CPU, then with 3 sweeps from 0.5.
 #define WIND_GPU_COARSENING 4
 
-// Smoothing sweeps before and after a coarser level; at most WIND_HALO - 1, since the residual needs one cell more. Their
-// weights are the reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2]. Contraction of the residual a cycle, measured at 400 x 400
-// open, first and later cycles: by two, 3 sweeps from 0.5: 0.041, 0.10; by four, 5 sweeps from 0.2: 0.057, 0.11; 6: 0.037, 0.084;
-// 7: 0.024, 0.07; 8 from 0.18: 0.032, 0.095 (odd coarse sizes). By four takes half the dispatches of by two.
+// Smoothing sweeps before and after a coarser level; at most WIND_HALO - 1, since the residual needs one cell more.
+// Their weights are the reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2]. Contraction of the residual a cycle,
+// measured at 400 x 400 open, first and later cycles: by two, 3 sweeps from 0.5: 0.041, 0.10; by four, 5 sweeps from
+// 0.2: 0.057, 0.11; 6: 0.037, 0.084; 7: 0.024, 0.07. By four takes half the dispatches of by two.
 #define WIND_GPU_SWEEPS 7
 #define WIND_SMOOTH_FROM 0.2f
 

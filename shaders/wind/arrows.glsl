@@ -60,5 +60,6 @@ vec2 arrowIncrement(int i, int k, vec2 place, vec2 v) {
     if (a.strength != 0.0) addDrive(a, rateAtCentre, place, v, sums);
     if (a.swirl != 0.0) addSwirl(a, rateAtCentre, place, v, sums);
   }
-  return (sums.target - sums.rate * v) * approach(sums.rate) + sums.swirl * approach(sums.swirlRate) + wind.dt * sums.force;
+  vec2 driven = (sums.target - sums.rate * v) * approach(sums.rate);
+  return driven + sums.swirl * approach(sums.swirlRate) + wind.dt * sums.force;
 }

@@ -1,5 +1,6 @@
 #version 450 core
-// Takes faces as they are, makes blocked ones 0 and sets the ghosts: a field from the CPU, or one whose borders changed.
+// Takes faces as they are, makes blocked ones 0 and sets the ghosts: a field from the CPU, or one whose borders
+// changed.
 #include "shaders/wind/block.glsl"
 
 layout(local_size_x = WIND_GROUP_X, local_size_y = WIND_GROUP_Z) in;

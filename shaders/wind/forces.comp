@@ -1,7 +1,7 @@
 #version 450 core
-// Forces: q = u + increments of arrows, gusts and vorticity confinement. docs/solver.md section 3. Increments are found in
-// cell centres, shared in the work-group, and averaged to the faces; the first row and column of a group are there for
-// that only.
+// Forces: q = u + increments of arrows, gusts and vorticity confinement. docs/solver.md section 3. Increments are found
+// in cell centres, shared in the work-group, and averaged to the faces; the first row and column of a group are there
+// for that only.
 #include "shaders/shared/grid_mapping.h"
 #include "shaders/wind/block.glsl"
 

@@ -6,8 +6,8 @@
 const int kAcross = 0;
 const int kAlong = 1;
 
-// A ghost made of the entry inside, or for a periodic border of the entry of the other side. With WIND_COPY_OPEN an open
-// border copies too (viscosity).
+// A ghost made of the entry inside, or for a periodic border of the entry of the other side. With WIND_COPY_OPEN an
+// open border copies too (viscosity).
 float ghostOf(int border, int component, float inside, float ambient, float wallSpeed) {
   if (border == WIND_BORDER_PERIODIC) return inside;
   if (border == WIND_BORDER_WALL) return component == kAlong && wind.noSlip != 0 ? 2.0 * wallSpeed - inside : inside;
@@ -29,7 +29,8 @@ void storeRows(int base, int column, int k, float value, ivec2 rows, int compone
   int at = base + column + 1;
   GHOST_TARGET[at + (k + 1) * wind.stride] = value;
   if (rows.x != -2) GHOST_TARGET[at] = ghostOf(wind.zMin, component, value, ambient, wind.wallZMin);
-  if (rows.y != -2) GHOST_TARGET[at + (rows.y + 1) * wind.stride] = ghostOf(wind.zMax, component, value, ambient, wind.wallZMax);
+  int last = at + (rows.y + 1) * wind.stride;
+  if (rows.y != -2) GHOST_TARGET[last] = ghostOf(wind.zMax, component, value, ambient, wind.wallZMax);
 }
 
 void storeU(int i, int k, float value) {
@@ -48,5 +49,6 @@ void storeW(int i, int k, float value) {
   int base = wind.zFaces;
   storeRows(base, i, k, value, rows, kAcross, a);
   if (columns.x != -2) storeRows(base, -1, k, ghostOf(wind.xMin, kAlong, value, a, wind.wallXMin), rows, kAcross, a);
-  if (columns.y != -2) storeRows(base, columns.y, k, ghostOf(wind.xMax, kAlong, value, a, wind.wallXMax), rows, kAcross, a);
+  float beyond = ghostOf(wind.xMax, kAlong, value, a, wind.wallXMax);
+  if (columns.y != -2) storeRows(base, columns.y, k, beyond, rows, kAcross, a);
 }

@@ -1,5 +1,6 @@
 #version 450 core
-// The way down of the pressure solve on one level: smooth, then hand the residual to the next level. docs/solver.md section 6.
+// The way down of the pressure solve on one level: smooth, then hand the residual to the next level. docs/solver.md
+// section 6.
 // FIRST (level 0): also takes the last step's pressure off the velocity (points 1 and 2 there) and starts from d = 0.
 // FROM_ZERO: starts from d = 0.  JACOBI: `sweepCount` plain sweeps instead, and no next level.
 #ifdef FIRST
@@ -77,7 +78,8 @@ void startSolve(float total[SUM_COUNT]) {
   control.fluxStart = total[1] * wind.perAir;
   control.flux = control.fluxStart;
   float floorFlux = WIND_ROUNDING_FLOOR * max(wind.hx, wind.hz);
-  control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * total[2] * wind.perCell);
+  float speedSquare = total[2] * wind.perCell;
+  control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
   control.cycles = 0u;
   bool run = control.fluxStart > control.wanted;
   control.converged = run ? 0u : 1u;

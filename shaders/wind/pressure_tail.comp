@@ -1,6 +1,8 @@
 #version 450 core
-// All small levels of the pressure solve in one work-group: the rest of a V-cycle, down and up. docs/solver.md section 6.
-// TAIL_CELLS, TAIL_RHS, TAIL_RESIDUALS: floats of shared memory for d, for b of all levels but the first, for residuals.
+// All small levels of the pressure solve in one work-group: the rest of a V-cycle, down and up. docs/solver.md section
+// 6.
+// TAIL_CELLS, TAIL_RHS, TAIL_RESIDUALS: floats of shared memory for d, for b of all levels but the first, for
+// residuals.
 // TAIL_STRIDES: cells of the first level per invocation.
 #include "shaders/wind/block.glsl"
 
@@ -35,9 +37,10 @@ void loadLevel(WindLevel l) {
     vec4 own = faces[node];
     float xHigh = faces[node + 1].x, zHigh = faces[node + l.width + 1].y;
     float b = l.rhs < 0 ? flux[cell] : rhs[l.rhs + cell];
-    stencils[n] = Stencil(own.x, xHigh, own.y, zHigh, inverseDiagonal[at], b, i > 0 ? at - 1 : at + l.width - 1,
-                          i < l.width - 1 ? at + 1 : at - l.width + 1, k > 0 ? at - l.width : at + l.width * (l.height - 1),
-                          k < l.height - 1 ? at + l.width : at - l.width * (l.height - 1));
+    int around = l.width * (l.height - 1);  // from the first row to the last
+    stencils[n] = Stencil(own.x, xHigh, own.y, zHigh, inverseDiagonal[at], b,
+                          i > 0 ? at - 1 : at + l.width - 1, i < l.width - 1 ? at + 1 : at - l.width + 1,
+                          k > 0 ? at - l.width : at + around, k < l.height - 1 ? at + l.width : at - around);
   }
 }
 
@@ -94,7 +97,8 @@ void restrictResidual(WindLevel l, WindLevel next) {
 }
 
 // Interpolation along one axis from the coarse cell `own` towards its neighbour on the fine cell's side.
-float slope(int c, int factor, int coarse, int count, int low, int high, int step, int face, int faceStep, float own, bool alongX) {
+float slope(int c, int factor, int coarse, int count, int low, int high, int step, int face, int faceStep, float own,
+            bool alongX) {
   if (factor == 1) return 0.0;
   float offset = (float(c % factor) + 0.5) / float(factor) - 0.5;
   int index = c / factor;
@@ -121,8 +125,9 @@ void prolong(WindLevel l, WindLevel next) {
     int coarse = next.cells + ck * next.width + ci;
     int face = next.faces + ck * (next.width + 1) + ci;
     float own = d[coarse];
-    d[l.cells + cell] += own + slope(i, l.factorX, coarse, next.width, l.xMin, l.xMax, 1, face, 1, own, true) +
-                         slope(k, l.factorZ, coarse, next.height, l.zMin, l.zMax, next.width, face, next.width + 1, own, false);
+    float x = slope(i, l.factorX, coarse, next.width, l.xMin, l.xMax, 1, face, 1, own, true);
+    float z = slope(k, l.factorZ, coarse, next.height, l.zMin, l.zMax, next.width, face, next.width + 1, own, false);
+    d[l.cells + cell] += own + x + z;
   }
   barrier();
 }

@@ -1,5 +1,6 @@
 #version 450 core
-// The way up of the pressure solve on one level: add the coarser level's correction, then smooth. docs/solver.md section 6.
+// The way up of the pressure solve on one level: add the coarser level's correction, then smooth. docs/solver.md
+// section 6.
 // LEVEL0: also measures what is left and ends the solve when that is small enough.
 #include "shaders/wind/region.glsl"
 

@@ -1,5 +1,6 @@
 #version 450 core
-// The end of a step: u = q* - grad phi - grad d, phi += d, cell velocities, diagnostics. docs/solver.md sections 6 and 7.
+// The end of a step: u = q* - grad phi - grad d, phi += d, cell velocities, diagnostics. docs/solver.md sections 6 and
+// 7.
 // RESAMPLE_ONLY: only cell velocities, of a field that is already there.
 #include "shaders/wind/block.glsl"
 

@@ -1,7 +1,7 @@
-// A region of one level of the pressure solve in shared memory and registers, and Jacobi's sweeps on it. Invocation (x, s)
-// holds the cells (x, s WIND_STRIP + n). Each sweep makes the outermost ring that is still right one cell narrower; the
-// inner cells are right for WIND_HALO neighbour look-ups. LEVEL0: the grid itself, whose conductances follow from the
-// cells' flags; otherwise they come from buffers. docs/solver.md section 6.
+// A region of one level of the pressure solve in shared memory and registers, and Jacobi's sweeps on it. Invocation (x,
+// s) holds the cells (x, s WIND_STRIP + n). Each sweep makes the outermost ring that is still right one cell narrower;
+// the inner cells are right for WIND_HALO neighbour look-ups. LEVEL0: the grid itself, whose conductances follow from
+// the cells' flags; otherwise they come from buffers. docs/solver.md section 6.
 #include "shaders/wind/block.glsl"
 
 layout(local_size_x = WIND_REGION, local_size_y = WIND_STRIPS) in;
@@ -56,12 +56,16 @@ bool isInner(int n) {
 int levelCell(ivec2 place) { return place.y * level.width + place.x; }
 
 #ifdef LEVEL0
-float countOf(uint flags, uint low, uint high) { return ((flags & low) != 0u ? 1.0 : 0.0) + ((flags & high) != 0u ? 1.0 : 0.0); }
+float countOf(uint flags, uint low, uint high) {
+  return ((flags & low) != 0u ? 1.0 : 0.0) + ((flags & high) != 0u ? 1.0 : 0.0);
+}
 
 void loadStencil(int n, ivec2 place) {
   uint flags = place.x >= 0 ? flagsOf(place.x, place.y) : 0u;
-  float alongX = countOf(flags, WIND_LINK_X_LOW, WIND_LINK_X_HIGH) + 2.0 * countOf(flags, WIND_GROUND_X_LOW, WIND_GROUND_X_HIGH);
-  float alongZ = countOf(flags, WIND_LINK_Z_LOW, WIND_LINK_Z_HIGH) + 2.0 * countOf(flags, WIND_GROUND_Z_LOW, WIND_GROUND_Z_HIGH);
+  float alongX = countOf(flags, WIND_LINK_X_LOW, WIND_LINK_X_HIGH) +
+                 2.0 * countOf(flags, WIND_GROUND_X_LOW, WIND_GROUND_X_HIGH);
+  float alongZ = countOf(flags, WIND_LINK_Z_LOW, WIND_LINK_Z_HIGH) +
+                 2.0 * countOf(flags, WIND_GROUND_Z_LOW, WIND_GROUND_Z_HIGH);
   float diagonal = alongX * (wind.hz * wind.perHx) + alongZ * (wind.hx * wind.perHz);
   cells[n].flags = flags;
   cells[n].inverse = diagonal > 0.0 ? 1.0 / diagonal : 0.0;

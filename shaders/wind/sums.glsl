@@ -1,6 +1,6 @@
-// Sums over all cells in one dispatch: each work-group delivers its own, and the last to arrive adds them up, always in the
-// same order. Before the include: SUM_COUNT values, of which the first SUM_ADDED are added and the others' greatest is
-// taken; GROUP_SIZE; a shared float array `scratch` of SUM_COUNT * GROUP_SIZE; a coherent buffer `control`.
+// Sums over all cells in one dispatch: each work-group delivers its own, and the last to arrive adds them up, always in
+// the same order. Before the include: SUM_COUNT values, of which the first SUM_ADDED are added and the others' greatest
+// is taken; GROUP_SIZE; a shared float array `scratch` of SUM_COUNT * GROUP_SIZE; a coherent buffer `control`.
 
 layout(std430, binding = WIND_SSBO_SUMS) coherent buffer Sums { float groupSums[]; };
 shared uint isLastGroup;
@@ -30,7 +30,8 @@ void joinGroup(inout float sums[SUM_COUNT]) {
   }
 }
 
-// True in all invocations of the work-group that arrives last; then the values, in invocation 0, are those of all groups.
+// True in all invocations of the work-group that arrives last; then the values, in invocation 0, are those of all
+// groups.
 bool joinAll(inout float sums[SUM_COUNT]) {
   joinGroup(sums);
   uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;

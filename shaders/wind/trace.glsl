@@ -28,7 +28,8 @@ vec2 insideField(vec2 place) {
 }
 
 bvec4 openSides() {
-  return bvec4(wind.xMin == WIND_BORDER_OPEN, wind.zMin == WIND_BORDER_OPEN, wind.xMax == WIND_BORDER_OPEN, wind.zMax == WIND_BORDER_OPEN);
+  return bvec4(wind.xMin == WIND_BORDER_OPEN, wind.zMin == WIND_BORDER_OPEN, wind.xMax == WIND_BORDER_OPEN,
+               wind.zMax == WIND_BORDER_OPEN);
 }
 
 // Where carried values are read: one cell further out at open borders.
@@ -61,11 +62,13 @@ vec2 trace(vec2 place, vec2 own, float sign) { return place + sign * carryingVel
 
 // Cells a step on x-face and z-face (i, k).
 vec2 velocityOnX(int i, int k) {
-  float w = 0.25 * ((velocity[wAt(i - 1, k)] + velocity[wAt(i, k)]) + (velocity[wAt(i - 1, k + 1)] + velocity[wAt(i, k + 1)]));
+  float low = velocity[wAt(i - 1, k)] + velocity[wAt(i, k)];
+  float w = 0.25 * (low + (velocity[wAt(i - 1, k + 1)] + velocity[wAt(i, k + 1)]));
   return vec2(velocity[uAt(i, k)] * (wind.dt * wind.perHx), w * (wind.dt * wind.perHz));
 }
 vec2 velocityOnZ(int i, int k) {
-  float u = 0.25 * ((velocity[uAt(i, k - 1)] + velocity[uAt(i + 1, k - 1)]) + (velocity[uAt(i, k)] + velocity[uAt(i + 1, k)]));
+  float low = velocity[uAt(i, k - 1)] + velocity[uAt(i + 1, k - 1)];
+  float u = 0.25 * (low + (velocity[uAt(i, k)] + velocity[uAt(i + 1, k)]));
   return vec2(u * (wind.dt * wind.perHx), velocity[wAt(i, k)] * (wind.dt * wind.perHz));
 }
 

@@ -1,6 +1,7 @@
 #version 450 core
 // One Chebyshev sweep of the implicit viscosity (Varga 1962). docs/solver.md section 5.
-// START: y = q with blocked faces 0, into both y arrays.  SETTLE: the last sweep, followed by what every face goes through.
+// START: y = q with blocked faces 0, into both y arrays.  SETTLE: the last sweep, followed by what every face goes
+// through.
 #include "shaders/wind/block.glsl"
 
 layout(local_size_x = WIND_GROUP_X, local_size_y = WIND_GROUP_Z) in;

@@ -114,9 +114,9 @@ TEST_F(GpuFramebuffer, ResolvesSamplesAndReadsTopRowFirst) {
   glClearBufferfv(GL_COLOR, 0, red);
   many->resolveTo(*one);
   const std::vector<unsigned char> pixels = one->readRgba8();
-  EXPECT_EQ(pixels[0], 0);      // top: blue
+  EXPECT_EQ(pixels[0], 0);  // top: blue
   EXPECT_EQ(pixels[2], 255);
-  EXPECT_EQ(pixels[16], 255);   // bottom: red
+  EXPECT_EQ(pixels[16], 255);  // bottom: red
   EXPECT_EQ(pixels[18], 0);
   std::vector<float> depths(8);
   one->depth().read(GL_DEPTH_COMPONENT, GL_FLOAT, depths.data(), depths.size() * sizeof(float));

@@ -6,7 +6,9 @@ namespace windloom::gpu {
 namespace {
 
 /// Line 3 of the text is line 12 of b.glsl.
-ShaderSource source() { return {"", {"shaders/a.comp", "shaders/b.glsl"}, {{0, 1}, {0, 2}, {1, 12}, {0, 4}}}; }
+ShaderSource source() {
+  return {"", {"shaders/a.comp", "shaders/b.glsl"}, {{0, 1}, {0, 2}, {1, 12}, {0, 4}}};
+}
 
 TEST(ShaderLog, ReadsTheFormsOfMesaNvidiaAndOthers) {
   const auto mesa = problemsOfLog("0:3(5): error: `x' undeclared\n", source());

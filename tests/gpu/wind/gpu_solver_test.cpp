@@ -90,7 +90,8 @@ Comparison compare(WindSolver& gpu, const WindSetup& setup, int steps, bool with
     gpu.readVelocity(onGpu);
     const WindDiagnostics& d = gpu.diagnostics();
     EXPECT_EQ(d.step, n + 1);
-    if (d.divergenceBefore > 1e-3) result.worstRatio = std::max(result.worstRatio, d.divergenceAfter / d.divergenceBefore);
+    if (d.divergenceBefore > 1e-3)
+      result.worstRatio = std::max(result.worstRatio, d.divergenceAfter / d.divergenceBefore);
   }
   (*cpu)->readVelocity(onCpu);
   result.difference = relativeDifference(onGpu, onCpu);
@@ -305,8 +306,8 @@ TEST_F(GpuSolver, SumsThousandsOfArrowsLikeTheCpu) {
   auto cpu = makeCpuWindSolver(setup, 1);
   ASSERT_TRUE(cpu.ok());
   for (int n = 0; n < 12; ++n) {
-    if (n == 4) arrows.resize(2500);                                 // some went
-    if (n == 8) arrows[7].to += glm::vec2(3, 1);                     // one moved
+    if (n == 4) arrows.resize(2500);                                      // some went
+    if (n == 8) arrows[7].to += glm::vec2(3, 1);                          // one moved
     for (ArrowForce& a : arrows) a.factor = 0.5f + 0.5f * float(n) / 12;  // all changed their strength
     gpu->step(arrows, n / 60.0);
     (*cpu)->step(arrows, n / 60.0);
@@ -339,7 +340,8 @@ TEST_F(GpuSolver, TakesDivergentModesOfEveryWavelength) {
   // So short a step that advection does nothing; walls where the modes end.
   const WindSetup setup = bareSetup({256, 64}, 1.0f, Border::Wall, 1e-6f);
   const auto gpu = make(setup);
-  for (const double wavelength : {512.0, 128.0, 32.0}) EXPECT_LE(leftOfMode(*gpu, 256, 64, wavelength), 1e-3) << wavelength;
+  for (const double wavelength : {512.0, 128.0, 32.0})
+    EXPECT_LE(leftOfMode(*gpu, 256, 64, wavelength), 1e-3) << wavelength;
 }
 
 TEST_F(GpuSolver, KeepsWithinTheMemoryBarOfAMillionCells) {
