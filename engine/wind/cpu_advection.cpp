@@ -44,6 +44,7 @@ struct AdvectionJob {
 HWY_BEFORE_NAMESPACE();
 namespace windloom {
 namespace HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using FloatTag = hn::ScalableTag<float>;
@@ -240,6 +241,7 @@ HWY_ATTR void correctRows(const AdvectionJob& job, int begin, int end) {
   }
 }
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace windloom
 HWY_AFTER_NAMESPACE();

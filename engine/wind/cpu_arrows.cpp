@@ -15,6 +15,7 @@
 HWY_BEFORE_NAMESPACE();
 namespace windloom {
 namespace HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 #include "engine/wind/cpu_math.hpp"
@@ -170,6 +171,7 @@ HWY_ATTR void arrowBlock(const CpuFields& f, CellBlock block, std::span<const Ar
   }
 }
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace windloom
 HWY_AFTER_NAMESPACE();

@@ -31,6 +31,7 @@ struct ForceRow {
 HWY_BEFORE_NAMESPACE();
 namespace windloom {
 namespace HWY_NAMESPACE {
+namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using FloatTag = hn::ScalableTag<float>;
@@ -172,6 +173,7 @@ HWY_ATTR void addToFacesZ(const CpuFields& f, int k, const float* low, const flo
   for (int i = 0, width = f.width(); i < width; ++i) out[i] = w[i] + 0.5f * (low[i] + high[i]);
 }
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace windloom
 HWY_AFTER_NAMESPACE();

@@ -12,6 +12,10 @@
 HWY_BEFORE_NAMESPACE();
 namespace windloom {
 namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+#include "engine/wind/cpu_sums.hpp"
 
 /// Rows of the stages between the sweeps: the last four of each.
 class Rings {
@@ -127,19 +131,6 @@ HWY_ATTR void restrictRow(const float* HWY_RESTRICT residual, const CpuLevel& fi
   if (fine.width % 2 != 0) out[fine.width / 2] += residual[fine.width - 1];
 }
 
-/// Sum of squares, in sixteen lanes whatever the vector size.
-HWY_ATTR double squaresOf(const float* HWY_RESTRICT values, int count) {
-  float lanes[16] = {};
-  int i = 0;
-  for (; i + 16 <= count; i += 16) {
-    for (int n = 0; n < 16; ++n) lanes[n] += values[i + n] * values[i + n];
-  }
-  double sum = 0;
-  for (; i < count; ++i) sum += static_cast<double>(values[i] * values[i]);
-  for (const float lane : lanes) sum += static_cast<double>(lane);
-  return sum;
-}
-
 /// The pipeline: row r enters at stage 0, and stage m works on row r - m.
 class Pipeline {
  public:
@@ -211,6 +202,7 @@ HWY_ATTR double levelPassRows(const LevelPass& pass, int begin, int end) {
   return Pipeline(pass, begin, end, memory).run();
 }
 
+}  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace windloom
 HWY_AFTER_NAMESPACE();

@@ -1,18 +1,23 @@
 #pragma once
-// Projection of the CPU backend around the pressure solve, and what follows it. docs/solver.md sections 2, 6 and 7.
+// Everything after the advection on the CPU backend: dissipation, health, borders, projection, cell velocities.
+// docs/solver.md sections 2, 6 and 7.
 
 #include "engine/wind/cpu_fields.hpp"
 #include "engine/wind/cpu_multigrid.hpp"
 
 namespace windloom {
 
-/// What the projection reports.
+/// What a step reports.
 struct ProjectionReport {
   double divergenceBefore = 0, divergenceAfter = 0, maxDivergenceAfter = 0;  // 1/s
   int cycles = 0;
+  double kineticEnergy = 0, maxSpeed = 0, cfl = 0;
+  long nonFinite = 0;  // faces that were reset
+  glm::ivec2 firstNonFinite{-1, -1};
 };
 
-/// Makes `moved` free of divergence into `velocity`, and keeps phi for the next step.
+/// Settles `moved` and makes it free of divergence into `velocity`; keeps phi for the next step and sets the cell velocities
+/// with their ghosts. `moved` is overwritten.
 ProjectionReport project(CpuFields& fields, CpuMultigrid& multigrid, ThreadPool& pool);
 
 /// Sets the cell velocities and their ghosts from `velocity`.

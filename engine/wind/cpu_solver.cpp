@@ -9,7 +9,6 @@
 #include "engine/wind/cpu_advection.hpp"
 #include "engine/wind/cpu_borders.hpp"
 #include "engine/wind/cpu_forces.hpp"
-#include "engine/wind/cpu_projection.hpp"
 #include "engine/wind/cpu_viscosity.hpp"
 #include "engine/wind/initial_field.hpp"
 
@@ -115,82 +114,22 @@ void CpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
     diffuse(m_fields, m_pool);
     clock.end("viscosity");
   }
-  settle();
-  clock.end("borders");
   const ProjectionReport report = project(m_fields, m_multigrid, m_pool);
+  takeReport(report);
+  ++m_diagnostics.step;
+  clock.end("projection");
+}
+
+void CpuWindSolver::takeReport(const ProjectionReport& report) {
   m_diagnostics.divergenceBefore = report.divergenceBefore;
   m_diagnostics.divergenceAfter = report.divergenceAfter;
   m_diagnostics.maxDivergenceAfter = report.maxDivergenceAfter;
   m_diagnostics.cycles = report.cycles;
-  clock.end("projection");
-  resampleToCells(m_fields, m_pool);
-  measureCells();
-  ++m_diagnostics.step;
-  clock.end("cells");
-}
-
-/// Dissipation, health check and speed limit of `moved`, then borders and solids.
-void CpuWindSolver::settle() {
-  CpuFields& f = m_fields;
-  const float keep = 1 / (1 + f.solver.dissipation * f.dt);
-  const float limit = f.solver.maxSpeed;
-  struct Found {
-    long count = 0;
-    glm::ivec2 first{-1};
-  };
-  std::vector<Found> found(static_cast<std::size_t>(rowTasks(f.height() + 1)));
-  forRowTasks(m_pool, f.height() + 1, [&](int task, int rowBegin, int rowEnd) {
-    Found& mine = found[static_cast<std::size_t>(task)];
-    const auto settleRow = [&](float* row, int count, float ambient, int k) {
-      for (int i = 0; i < count; ++i) {
-        const float q = ambient + (row[i] - ambient) * keep;
-        const bool healthy = std::abs(q) <= 3e38f;
-        row[i] = healthy ? std::clamp(q, -limit, limit) : ambient;
-        if (healthy) continue;
-        if (mine.count++ == 0) mine.first = {std::min(i, f.width() - 1), std::min(k, f.height() - 1)};
-      }
-    };
-    for (int k = rowBegin; k < rowEnd; ++k) {
-      if (k < f.height()) settleRow(f.moved.u.row(k), f.width() + 1, f.ambient.x, k);
-      settleRow(f.moved.w.row(k), f.width(), f.ambient.y, k);
-    }
-  });
-  for (const Found& mine : found) {
-    if (mine.count > 0 && m_diagnostics.nonFiniteCells == 0) m_diagnostics.firstNonFinite = mine.first;
-    m_diagnostics.nonFiniteCells += mine.count;
-  }
-  blockFaces(f, f.moved);
-}
-
-void CpuWindSolver::measureCells() {
-  const CpuFields& f = m_fields;
-  struct Measure {
-    double energy = 0;
-    float square = 0, across = 0;
-  };
-  std::vector<Measure> measures(static_cast<std::size_t>(rowTasks(f.height())));
-  const float perX = f.dt / f.grid.hx, perZ = f.dt / f.grid.hz;
-  forRowTasks(m_pool, f.height(), [&](int task, int begin, int end) {
-    Measure& m = measures[static_cast<std::size_t>(task)];
-    for (int k = begin; k < end; ++k) {
-      const float *x = f.speedX.row(k), *z = f.speedZ.row(k);
-      for (int i = 0; i < f.width(); ++i) {
-        const float square = x[i] * x[i] + z[i] * z[i];
-        m.energy += f.grid.solidAt(i, k) ? 0.0 : double(square);
-        m.square = std::max(m.square, square);
-        m.across = std::max(m.across, std::max(std::abs(x[i]) * perX, std::abs(z[i]) * perZ));
-      }
-    }
-  });
-  Measure total;
-  for (const Measure& m : measures) {
-    total.energy += m.energy;
-    total.square = std::max(total.square, m.square);
-    total.across = std::max(total.across, m.across);
-  }
-  m_diagnostics.kineticEnergy = 0.5 * total.energy / static_cast<double>(std::max<std::size_t>(f.grid.airCells, 1));
-  m_diagnostics.maxSpeed = std::min(std::sqrt(double(total.square)), double(f.solver.maxSpeed));
-  m_diagnostics.cfl = double(total.across);
+  m_diagnostics.kineticEnergy = report.kineticEnergy;
+  m_diagnostics.maxSpeed = std::min(report.maxSpeed, double(m_fields.solver.maxSpeed));
+  m_diagnostics.cfl = report.cfl;
+  if (report.nonFinite > 0 && m_diagnostics.nonFiniteCells == 0) m_diagnostics.firstNonFinite = report.firstNonFinite;
+  m_diagnostics.nonFiniteCells += report.nonFinite;
 }
 
 void CpuWindSolver::reset() {

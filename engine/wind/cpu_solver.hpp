@@ -3,6 +3,7 @@
 
 #include "engine/wind/cpu_fields.hpp"
 #include "engine/wind/cpu_multigrid.hpp"
+#include "engine/wind/cpu_projection.hpp"
 
 namespace windloom {
 
@@ -28,8 +29,7 @@ class CpuWindSolver final : public WindSolver {
 
  private:
   void applySettings(const WindSetup& setup);
-  void settle();
-  void measureCells();
+  void takeReport(const ProjectionReport& report);
 
   ThreadPool m_pool;
   CpuFields m_fields;
