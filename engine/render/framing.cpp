@@ -1,9 +1,12 @@
 #include "engine/render/framing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace windloom {
 namespace {
+
+constexpr float kPictureAspect = 16.0f / 9.0f;
 
 /// Near and far planes for a world of some size.
 void fitPlanes(ViewCamera& camera, float reachM) {
@@ -22,12 +25,20 @@ ViewCamera viewThrough(const Camera& camera) {
 }
 
 ViewCamera frameField(const FieldSettings& field) {
-  const float longest = std::max(field.size.x, field.size.y);
-  const glm::vec3 centre(field.centre.x, 0.0f, field.centre.y);
+  const glm::vec3 forward = glm::normalize(glm::vec3(-0.06f, -0.42f, -1.0f));
+  const glm::vec3 right = glm::normalize(glm::cross(forward, glm::vec3(0.0f, 1.0f, 0.0f)));
+  const glm::vec3 up = glm::cross(right, forward);
   ViewCamera view;
-  view.target = centre - glm::vec3(0.0f, 0.0f, 0.06f * longest);
-  view.position = centre + glm::vec3(0.06f * longest, 0.30f * longest, 0.5f * field.size.y + 0.42f * longest);
-  fitPlanes(view, longest);
+  view.target = {field.centre.x, 0.0f, field.centre.y};
+  const float tanUp = std::tan(0.5f * glm::radians(view.fieldOfView)), tanRight = tanUp * kPictureAspect;
+  float distance = 0.0f;
+  for (const glm::vec2 corner : {glm::vec2(-0.5f, -0.5f), glm::vec2(0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(0.5f, 0.5f)}) {
+    const glm::vec3 at(corner.x * field.size.x, 0.0f, corner.y * field.size.y);
+    const float reach = std::max(std::abs(glm::dot(at, right)) / tanRight, std::abs(glm::dot(at, up)) / tanUp);
+    distance = std::max(distance, reach - glm::dot(at, forward));
+  }
+  view.position = view.target - forward * distance;
+  fitPlanes(view, distance);
   return view;
 }
 
@@ -38,7 +49,7 @@ ViewCamera frameFieldFromAbove(const FieldSettings& field) {
   view.position = view.target + glm::vec3(0.0f, longest, 0.0f);
   view.orthographic = true;
   // Wide fields fit a 16:9 picture, tall ones its height.
-  view.orthographicHeight = 1.04f * std::max(field.size.y, field.size.x * 9.0f / 16.0f);
+  view.orthographicHeight = 1.04f * std::max(field.size.y, field.size.x / kPictureAspect);
   fitPlanes(view, longest);
   return view;
 }

@@ -8,7 +8,7 @@ namespace windloom {
 
 ViewCamera viewThrough(const Camera& camera);
 
-/// Shows the whole field from a hill to its south (+Z), against the light.
+/// Shows the whole field in a 16:9 picture from a hill to its south (+Z), against the light.
 ViewCamera frameField(const FieldSettings& field);
 
 /// Straight down on the whole field, orthographic, -Z up in the picture.

@@ -70,7 +70,10 @@ void main() {
   vec2 shade = unpackHalf2x16(blade.shade);
   vec4 tint = unpackUnorm4x8(blade.tint);
   // How deep in the canopy: it bends down as a whole, so the place along the blade counts, not the height.
-  float canopy = clamp(s * sizes.x / (grass.baseColour.w * unpackUnorm4x8(blade.canopy).x * 2.0), 0.0, 1.0);
+  float share = unpackUnorm4x8(blade.canopy).x * 2.0;
+  float canopy = clamp(s * sizes.x / (grass.baseColour.w * share), 0.0, 1.0);
+  // Where the meadow thins out at its margin blades stand in the open.
+  canopy = mix(1.0, canopy, smoothstep(0.25, 0.7, share));
   GrassLight at;
   at.height = canopy;
   at.dense = grass.levels.z;
@@ -78,6 +81,8 @@ void main() {
   at.shade = heightWindShade(centre.y / sizes.x, shade.y) * mix(tint.a, 1.0, 0.5 * canopy);
   vec3 albedo = laidAlbedo(bladeAlbedo(s, tint.r, 2.0 * tint.g, 2.0 * tint.b - 1.0), spine.tangent);
 #if SEGMENTS == 1
+  // A straight blade of two rows would be black at its foot all the way up to the middle.
+  at.height = 0.3 + 0.7 * canopy;
   vec3 light = lightCanopy(albedo, spine.tangent, v, at);
 #else
   vec3 light = lightBlade(albedo, normalize(n + 0.55 * edge * side), spine.tangent, v, at);

@@ -9,9 +9,9 @@ layout(std140, binding = RENDER_UBO_GRASS) uniform GrassUniforms { GrassBlock gr
 // Broad patches of the meadow, seen in blades and in the far ground alike: x dryness, y brightness.
 vec2 meadowPatch(vec2 world) {
   vec4 broad = noiseAtLevel(vec2(world.x + 0.31 * world.y, world.y - 0.27 * world.x), 83.0, 1.0);
-  vec4 small = noiseAtLevel(world.yx, 23.0, 1.0);
-  float dry = smoothstep(0.4, 0.8, 0.6 * broad.g + 0.4 * small.r);
-  return vec2(dry, 0.8 + 0.4 * (0.5 * broad.r + 0.5 * small.g));
+  vec4 small = noiseAtLevel(vec2(world.y - 0.4 * world.x, world.x + 0.2 * world.y), 17.0, 1.0);
+  float dry = smoothstep(0.42, 0.8, 0.5 * broad.g + 0.5 * small.r);
+  return vec2(dry, 0.86 + 0.28 * (0.4 * broad.r + 0.6 * small.g));
 }
 
 // Colour along a blade. `height` 0..1, `dry` 0..1, `hue` -1 bluish .. 1 yellowish.
@@ -78,7 +78,7 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   float front = 0.5 + 0.5 * around;
   float forward = pow(max(dot(v, -l), 0.0), 4.0);
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
-  vec3 direct = sinL * 0.52 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.5 + 0.7 * forward));
+  vec3 direct = sinL * 0.46 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.5 + 0.7 * forward));
   vec3 h = normalize(v + l);
   float th = dot(t, h);
   float sheen = pow(max(1.0 - th * th, 0.0), 7.0) * (0.03 + 0.2 * pow(1.0 - max(sinV, 0.0), 2.0)) + 0.05 * forward * sinL;
@@ -115,6 +115,6 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, float sunlit) {
   // A low eye sees the tips, a high one looks down into the canopy.
   float height = mix(0.78, 0.55, max(v.y, 0.0));
   GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
-  vec3 albedo = laidAlbedo(bladeAlbedo(height, patchTint.x * grass.dryColour.w * 1.3, patchTint.y, 0.0), stem);
+  vec3 albedo = laidAlbedo(bladeAlbedo(height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
   return lightCanopy(albedo, stem, v, at);
 }

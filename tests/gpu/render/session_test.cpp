@@ -1,0 +1,175 @@
+#include "engine/session/session.hpp"
+
+#include <cmath>
+
+#include "engine/gpu/framebuffer.hpp"
+#include "tests/gpu/gpu_test.hpp"
+
+namespace windloom {
+namespace {
+
+Project breezeProject(glm::ivec2 resolution) {
+  Project project;
+  FieldSettings field;
+  field.size = {40.0f, 40.0f};
+  field.resolution = resolution;
+  project.field = std::make_shared<FieldSettings>(field);
+  AmbientWind ambient;
+  ambient.speed = 3.0f;
+  project.ambient = std::make_shared<AmbientWind>(ambient);
+  GrassSettings grass;
+  grass.density = 10.0f;
+  project.grass = std::make_shared<GrassSettings>(grass);
+  WindGraph graph;
+  graph.points.resize(2);
+  graph.points[0].id = 1;
+  graph.points[0].position = {0.0f, -12.0f};
+  graph.points[1].id = 2;
+  graph.points[1].position = {0.0f, 12.0f};
+  Arrow arrow;
+  arrow.id = 10;
+  arrow.from = 1;
+  arrow.to = 2;
+  graph.arrows.push_back(arrow);
+  project.graph = std::make_shared<WindGraph>(graph);
+  return project;
+}
+
+class LiveSession : public testing::GpuTest {
+ protected:
+  std::unique_ptr<Session> open(const Project& project, Backend backend = Backend::Cpu, LiveGrid grid = LiveGrid::Automatic) {
+    SessionOptions options;
+    options.context = &context();
+    options.shaders = &shaders();
+    options.backend = backend;
+    options.liveGrid = grid;
+    auto session = Session::create(project, options);
+    EXPECT_TRUE(session.ok()) << session.error().text();
+    return session.ok() ? std::move(*session) : nullptr;
+  }
+  void drawOnce(Session& session) {
+    if (m_target.name() == 0) {
+      auto made = gpu::Framebuffer::create("test picture", kSize, {.colour = GL_RGBA8, .depth = 0});
+      ASSERT_TRUE(made.ok()) << made.error().text();
+      m_target = std::move(*made);
+    }
+    Session::View view;
+    view.size = kSize;
+    view.camera.position = {0.0f, 2.0f, 10.0f};
+    view.framebuffer = m_target.name();
+    session.draw(view);
+    glFinish();
+  }
+  void TearDown() override {
+    m_target = {};
+    GpuTest::TearDown();
+  }
+  static constexpr glm::ivec2 kSize{160, 90};
+  gpu::Framebuffer m_target;
+};
+
+TEST_F(LiveSession, TimeGoesOnlyWhilePlaying) {
+  const auto session = open(breezeProject({32, 32}));
+  session->advance(0.2);
+  EXPECT_EQ(session->time(), 0.0);
+  session->play();
+  session->advance(0.2);
+  const double played = session->time();
+  EXPECT_GT(played, 0.0);
+  EXPECT_LE(played, 0.2 + 1e-6);
+  session->pause();
+  session->advance(0.2);
+  EXPECT_EQ(session->time(), played);
+  session->stepOnce();
+  EXPECT_NEAR(session->time(), played + 1.0 / 60.0, 1e-6);
+  session->restart();
+  EXPECT_EQ(session->time(), 0.0);
+}
+
+TEST_F(LiveSession, SlowsTimeDownInsteadOfSpiralling) {
+  const auto session = open(breezeProject({512, 512}), Backend::Cpu, LiveGrid::Full);
+  session->play();
+  for (int i = 0; i < 6; ++i) session->advance(5.0);
+  EXPECT_LT(session->time(), 6.0) << "thirty seconds of wall time can't be caught up in six frames";
+  EXPECT_LT(session->status().timeScale, 0.5);
+}
+
+TEST_F(LiveSession, AirBlowsAlongADrawnArrow) {
+  const auto session = open(breezeProject({64, 64}));
+  session->runTo(4.0);
+  const glm::vec2 wind = session->windAt({0.0f, 6.0f});
+  EXPECT_GT(wind.y, 3.0f);
+}
+
+TEST_F(LiveSession, AMovedPointChangesTheWindWhileTimeGoesOn) {
+  Project project = breezeProject({64, 64});
+  const auto session = open(project);
+  session->runTo(3.0);
+  WindGraph graph = *project.graph;
+  graph.points[0].position = {0.0f, 12.0f};
+  graph.points[1].position = {0.0f, -12.0f};
+  project.graph = std::make_shared<WindGraph>(graph);
+  ASSERT_TRUE(session->setProject(project).ok());
+  EXPECT_GT(session->time(), 2.9);
+  session->runTo(6.0);
+  EXPECT_LT(session->windAt({0.0f, 0.0f}).y, -2.0f);
+}
+
+TEST_F(LiveSession, KeepsTheLastProjectWhenTheNewOneIsWrong) {
+  const Project good = breezeProject({32, 32});
+  const auto session = open(good);
+  session->runTo(0.5);
+  Project bad = good;
+  WindGraph graph = *good.graph;
+  graph.arrows[0].to = 99;
+  bad.graph = std::make_shared<WindGraph>(graph);
+  EXPECT_FALSE(session->setProject(bad).ok());
+  session->runTo(1.0);
+  EXPECT_NEAR(session->time(), 1.0, 0.02);
+  drawOnce(*session);
+}
+
+TEST_F(LiveSession, RunsOnACoarserGridOnTheCpuAndSaysSo) {
+  const auto session = open(breezeProject({600, 300}));
+  EXPECT_EQ(session->status().backend, Backend::Cpu);
+  EXPECT_EQ(session->status().liveResolution, glm::ivec2(256, 128));
+  EXPECT_EQ(session->status().projectResolution, glm::ivec2(600, 300));
+  session->runTo(0.1);
+  ASSERT_TRUE(session->setLiveGrid(LiveGrid::Full).ok());
+  EXPECT_EQ(session->status().liveResolution, glm::ivec2(600, 300));
+  EXPECT_NEAR(session->time(), 0.1, 1e-6) << "time and air go on";
+  EXPECT_NEAR(session->windAt({-15.0f, 0.0f}).x, 3.0f, 0.5f);
+}
+
+TEST_F(LiveSession, ANewFieldTakesEffect) {
+  Project project = breezeProject({64, 64});
+  const auto session = open(project);
+  FieldSettings field = *project.field;
+  field.resolution = {48, 96};
+  project.field = std::make_shared<FieldSettings>(field);
+  ASSERT_TRUE(session->setProject(project).ok());
+  EXPECT_EQ(session->status().liveResolution, glm::ivec2(48, 96));
+  drawOnce(*session);
+}
+
+TEST_F(LiveSession, AnswersForTheGpusWindWithoutWaiting) {
+  const auto session = open(breezeProject({64, 64}), Backend::Gpu, LiveGrid::Full);
+  ASSERT_NE(session, nullptr);
+  EXPECT_EQ(session->windAt({0.0f, 6.0f}), glm::vec2(3.0f, 0.0f)) << "the ambient wind until an answer is there";
+  session->runTo(2.5);
+  for (int i = 0; i < 4; ++i) {
+    (void)session->windAt({0.0f, 6.0f});
+    drawOnce(*session);
+  }
+  EXPECT_GT(session->windAt({0.0f, 6.0f}).y, 2.0f);
+}
+
+TEST_F(LiveSession, CountsTheBladesItDraws) {
+  const auto session = open(breezeProject({32, 32}));
+  for (int i = 0; i < 4; ++i) drawOnce(*session);
+  EXPECT_EQ(session->status().frame.bladesTotal, 16'000);
+  EXPECT_GT(session->status().frame.bladesDrawn, 0);
+}
+
+}  // namespace
+}  // namespace windloom
