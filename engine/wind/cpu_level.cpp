@@ -137,28 +137,20 @@ class Pipeline {
   HWY_ATTR Pipeline(const LevelPass& pass, int begin, int end, std::vector<float>& memory)
       : m_pass(pass), m_level(*pass.level), m_rings(m_level, memory), m_begin(begin), m_end(end) {}
 
-  HWY_ATTR double run() {
+  HWY_ATTR LevelProducts run() {
     const int sweeps = m_pass.sweeps, tail = m_pass.end == PassEnd::None ? 0 : 1;
     const int reach = sweeps + tail;
-    double sum = 0;
+    LevelProducts products;
     for (int r = m_begin - reach; r < m_end + 2 * reach; ++r) {
       if (m_pass.start == PassStart::Prolong && inside(r, reach)) enter(r);
       for (int m = 1; m <= sweeps; ++m) {
         const int k = r - m;
-        if (!inside(k, reach - m)) continue;
-        float* out = m_rings.row(m, k);
-        if (m == 1 && m_pass.start == PassStart::Zero) {
-          startRow({m_level, wrap(k)}, m_pass.weights[0], out);
-        } else {
-          smoothRow({m_level, wrap(k)}, around(m - 1, k), m_pass.weights[m - 1], out);
-        }
-        setEnds(out);
-        if (m == sweeps && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
+        if (inside(k, reach - m)) sweepRow(m, k);
       }
       const int k = r - reach;
-      if (tail != 0 && k >= m_begin && k < m_end) sum += leave(k);
+      if (tail != 0 && k >= m_begin && k < m_end) leave(k, products);
     }
-    return sum;
+    return products;
   }
 
  private:
@@ -184,11 +176,28 @@ class Pipeline {
     prolongRow({m_level, wrap(k)}, *m_pass.coarse, m_level.d.row(wrap(k)), out);
     setEnds(out);
   }
-  HWY_ATTR double leave(int k) {
+  HWY_ATTR void sweepRow(int stage, int k) {
+    float* out = m_rings.row(stage, k);
+    if (stage == 1 && m_pass.start == PassStart::Zero) {
+      startRow({m_level, wrap(k)}, m_pass.weights[0], out);
+    } else {
+      smoothRow({m_level, wrap(k)}, around(stage - 1, k), m_pass.weights[stage - 1], out);
+    }
+    setEnds(out);
+    if (stage == m_pass.sweeps && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
+  }
+  HWY_ATTR void leave(int k, LevelProducts& products) {
     residualRow({m_level, k}, around(m_pass.sweeps, k), m_rings.residual());
-    if (m_pass.end == PassEnd::Measure) return squaresOf(m_rings.residual(), m_level.width);
-    restrictRow(m_rings.residual(), m_level, *m_pass.coarse, k);
-    return 0;
+    if (m_pass.end == PassEnd::Restrict) {
+      restrictRow(m_rings.residual(), m_level, *m_pass.coarse, k);
+      return;
+    }
+    float* HWY_RESTRICT applied = m_level.applied.row(k);
+    const float *HWY_RESTRICT b = m_level.b.row(k), *HWY_RESTRICT residual = m_rings.residual();
+    for (int i = 0, width = m_level.width; i < width; ++i) applied[i] = b[i] - residual[i];
+    products.withResidual += productOf(b, applied, m_level.width);
+    products.withLast += productOf(applied, m_level.lastApplied.row(k), m_level.width);
+    products.withItself += productOf(applied, applied, m_level.width);
   }
 
   const LevelPass& m_pass;
@@ -197,9 +206,22 @@ class Pipeline {
   int m_begin, m_end;
 };
 
-HWY_ATTR double levelPassRows(const LevelPass& pass, int begin, int end) {
+HWY_ATTR LevelProducts levelPassRows(const LevelPass& pass, int begin, int end) {
   thread_local std::vector<float> memory;
   return Pipeline(pass, begin, end, memory).run();
+}
+
+HWY_ATTR void advanceRow(const DirectionRows& rows, int count, float alpha, float beta) {
+  const float *HWY_RESTRICT fresh = rows.fresh, *HWY_RESTRICT freshApplied = rows.freshApplied;
+  float *HWY_RESTRICT direction = rows.direction, *HWY_RESTRICT applied = rows.applied;
+  float *HWY_RESTRICT solution = rows.solution, *HWY_RESTRICT residual = rows.residual;
+  for (int i = 0; i < count; ++i) {
+    const float p = fresh[i] - beta * direction[i], ap = freshApplied[i] - beta * applied[i];
+    direction[i] = p;
+    applied[i] = ap;
+    solution[i] += alpha * p;
+    residual[i] -= alpha * ap;
+  }
 }
 
 }  // namespace
@@ -209,7 +231,15 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 namespace windloom {
+
 HWY_EXPORT(levelPassRows);
-double runLevelPass(const LevelPass& pass, int begin, int end) { return HWY_DYNAMIC_DISPATCH(levelPassRows)(pass, begin, end); }
+HWY_EXPORT(advanceRow);
+
+LevelProducts runLevelPass(const LevelPass& pass, int begin, int end) { return HWY_DYNAMIC_DISPATCH(levelPassRows)(pass, begin, end); }
+
+void advanceSolution(const DirectionRows& rows, int count, float alpha, float beta) {
+  HWY_DYNAMIC_DISPATCH(advanceRow)(rows, count, alpha, beta);
+}
+
 }  // namespace windloom
 #endif

@@ -20,6 +20,7 @@ struct CpuLevel {
   CpuPlane d, b, next;              // cells
   CpuPlane cx, cz, shareX, shareZ;  // faces
   CpuPlane inverse;                 // cells
+  CpuPlane applied, lastApplied;    // cells, on the finest level only
   float plainX = 0, plainZ = 0, plainInverse = 0;
   std::vector<LevelRun> runs;
   std::vector<int> runStart;        // height + 1
@@ -35,8 +36,15 @@ enum class PassStart {
 };
 enum class PassEnd {
   Restrict,  ///< the residual becomes the coarse level's b
-  Measure,   ///< the residual's squares are summed
+  Apply,     ///< A d is stored in level.applied, and its products are summed
   None,
+};
+
+/// Scalar products over the rows of a pass that ends with Apply.
+struct LevelProducts {
+  double withResidual = 0;  ///< b . A d
+  double withLast = 0;      ///< A d . level.lastApplied
+  double withItself = 0;    ///< A d . A d
 };
 
 /// Sweeps of the smoother over one level, with what comes before and after them, row by row, so that a row stays in the
@@ -47,11 +55,18 @@ struct LevelPass {
   PassStart start = PassStart::Zero;
   PassEnd end = PassEnd::None;
   float weights[3] = {0, 0, 0};
-  int sweeps = 3;               // 0 to 3
+  int sweeps = 3;               // 1 to 3
 };
 
-/// Runs rows [begin, end) of a pass; the sum of the residual's squares over them where it measures, else 0. Tasks of one
-/// pass may run at the same time.
-double runLevelPass(const LevelPass& pass, int begin, int end);
+/// Runs rows [begin, end) of a pass. Tasks of one pass may run at the same time.
+LevelProducts runLevelPass(const LevelPass& pass, int begin, int end);
+
+/// direction = fresh - beta direction, for `count` values; the same for `applied`. Then solution += alpha direction and
+/// residual -= alpha applied.
+struct DirectionRows {
+  const float *fresh, *freshApplied;
+  float *direction, *applied, *solution, *residual;
+};
+void advanceSolution(const DirectionRows& rows, int count, float alpha, float beta);
 
 }  // namespace windloom

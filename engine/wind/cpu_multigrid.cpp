@@ -1,6 +1,7 @@
 // Cell-centred geometric multigrid: Wesseling, An Introduction to Multigrid Methods, 1992 (averaging restriction,
 // linear prolongation); smoother: Jacobi with Chebyshev weights, after Adams, Brezina, Hu & Tuminaro, Parallel
-// multigrid smoothing: polynomial versus Gauss-Seidel, 2003.
+// multigrid smoothing: polynomial versus Gauss-Seidel, 2003. V-cycles are joined by generalised conjugate residuals with one
+// direction kept (Eisenstat, Elman & Schultz, Variational iterative methods, 1983): see docs/solver.md.
 #include "engine/wind/cpu_multigrid.hpp"
 
 #include <algorithm>
@@ -84,18 +85,13 @@ void CpuMultigrid::rebuild(const WindGrid& grid) {
   m_zMin = grid.zMin;
   m_zMax = grid.zMax;
   m_levels.clear();
-  m_zero = true;
   glm::vec2 cell(grid.hx, grid.hz);
   for (const PressureLevel& source : buildPressureLevels(grid)) {
     cell *= glm::vec2(source.factorX, source.factorZ);
     m_levels.push_back(levelOf(source, grid, {cell.y / cell.x, cell.x / cell.y}));
   }
-}
-
-void CpuMultigrid::wrapSides(CpuLevel& level) const {
-  for (int k = 0; k < level.height; ++k) {
-    level.d.at(-1, k) = level.periodicX ? level.d.at(level.width - 1, k) : 0.0f;
-    level.d.at(level.width, k) = level.periodicX ? level.d.at(0, k) : 0.0f;
+  for (CpuPlane* plane : {&m_solution, &m_direction, &m_levels[0].applied, &m_levels[0].lastApplied}) {
+    *plane = CpuPlane(grid.width, grid.height);
   }
 }
 
@@ -113,57 +109,90 @@ void CpuMultigrid::setGhosts(CpuPlane& plane) const {
   }
 }
 
-void CpuMultigrid::start() {
-  m_levels[0].d.clear();
-  m_zero = true;
-}
-
-double CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
+LevelProducts CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
   CpuLevel& level = *pass.level;
   const int tasks = (level.height + kLevelRowsPerTask - 1) / kLevelRowsPerTask;
-  m_sums.assign(static_cast<std::size_t>(tasks), 0);
+  m_products.assign(static_cast<std::size_t>(tasks), {});
   pool.parallelFor(tasks, [&](int task) {
     const int begin = task * kLevelRowsPerTask;
-    m_sums[static_cast<std::size_t>(task)] = runLevelPass(pass, begin, std::min(level.height, begin + kLevelRowsPerTask));
+    m_products[static_cast<std::size_t>(task)] = runLevelPass(pass, begin, std::min(level.height, begin + kLevelRowsPerTask));
   });
   std::swap(level.d, level.next);
-  return std::accumulate(m_sums.begin(), m_sums.end(), 0.0);
+  LevelProducts sum;
+  for (const LevelProducts& p : m_products) {
+    sum.withResidual += p.withResidual;
+    sum.withLast += p.withLast;
+    sum.withItself += p.withItself;
+  }
+  return sum;
 }
 
-double CpuMultigrid::cycle(ThreadPool& pool) {
+/// One V-cycle for the present b from d = 0.
+LevelProducts CpuMultigrid::cycle(ThreadPool& pool) {
   const std::size_t last = m_levels.size() - 1;
   for (std::size_t l = 0; l < last; ++l) {
-    const bool zero = l > 0 || m_zero;
-    if (!zero) wrapSides(m_levels[l]);
-    run(pool, {&m_levels[l], &m_levels[l + 1], zero ? PassStart::Zero : PassStart::Plane, PassEnd::Restrict,
-               {WIND_SMOOTH_0, WIND_SMOOTH_1, WIND_SMOOTH_2}, 3});
+    run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Zero, PassEnd::Restrict, {WIND_SMOOTH_0, WIND_SMOOTH_1, WIND_SMOOTH_2}, 3});
   }
-  m_zero = false;
   CpuLevel& single = m_levels[last];
   single.d.at(0, 0) = -single.b.at(0, 0) * single.inverse.at(0, 0);
-  double squares = 0;
+  LevelProducts products;
   for (std::size_t l = last; l-- > 0;) {
     setGhosts(m_levels[l + 1].d);
-    squares = run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Prolong, l == 0 ? PassEnd::Measure : PassEnd::None,
-                         {WIND_SMOOTH_2, WIND_SMOOTH_1, WIND_SMOOTH_0}, 3});
+    products = run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Prolong, l == 0 ? PassEnd::Apply : PassEnd::None,
+                          {WIND_SMOOTH_2, WIND_SMOOTH_1, WIND_SMOOTH_0}, 3});
   }
-  return squares;
+  return products;
+}
+
+void CpuMultigrid::advance(ThreadPool& pool, float alpha, float beta) {
+  CpuLevel& fine = m_levels[0];
+  const int tasks = (fine.height + kLevelRowsPerTask - 1) / kLevelRowsPerTask;
+  pool.parallelFor(tasks, [&](int task) {
+    for (int k = task * kLevelRowsPerTask; k < std::min(fine.height, (task + 1) * kLevelRowsPerTask); ++k) {
+      advanceSolution({fine.d.row(k), fine.applied.row(k), m_direction.row(k), fine.lastApplied.row(k), m_solution.row(k), fine.b.row(k)},
+                      fine.width, alpha, beta);
+    }
+  });
+}
+
+int CpuMultigrid::solve(ThreadPool& pool, double startSquares, double wantedSquares, int maxCycles) {
+  for (CpuPlane* plane : {&m_solution, &m_direction, &m_levels[0].lastApplied}) plane->clear();
+  double squares = startSquares, lastSize = 0;
+  int cycles = 0;
+  while (squares > wantedSquares && cycles < maxCycles) {
+    const LevelProducts p = cycle(pool);
+    ++cycles;
+    const double beta = lastSize > 0 ? p.withLast / lastSize : 0;
+    const double size = p.withItself - beta * beta * lastSize;
+    if (!(size > 0)) break;
+    const double alpha = p.withResidual / size;
+    advance(pool, static_cast<float>(alpha), static_cast<float>(beta));
+    lastSize = size;
+    squares -= alpha * p.withResidual;
+  }
+  return cycles;
 }
 
 void CpuMultigrid::sweep(ThreadPool& pool, int sweeps) {
+  CpuLevel& fine = m_levels[0];
   for (int done = 0; done < sweeps;) {
     const int now = std::min(3, sweeps - done);
-    if (!m_zero) wrapSides(m_levels[0]);
-    run(pool, {&m_levels[0], nullptr, m_zero ? PassStart::Zero : PassStart::Plane, PassEnd::None, {1, 1, 1}, now});
-    m_zero = false;
+    for (int k = 0; k < fine.height; ++k) {
+      fine.d.at(-1, k) = fine.periodicX ? fine.d.at(fine.width - 1, k) : 0.0f;
+      fine.d.at(fine.width, k) = fine.periodicX ? fine.d.at(0, k) : 0.0f;
+    }
+    run(pool, {&fine, nullptr, done == 0 ? PassStart::Zero : PassStart::Plane, PassEnd::None, {1, 1, 1}, now});
     done += now;
   }
+  std::swap(fine.d, m_solution);
 }
 
 std::size_t CpuMultigrid::memoryBytes() const {
-  std::size_t sum = 0;
+  std::size_t sum = m_solution.bytes() + m_direction.bytes();
   for (const CpuLevel& l : m_levels) {
-    for (const CpuPlane* p : {&l.d, &l.b, &l.next, &l.cx, &l.cz, &l.shareX, &l.shareZ, &l.inverse}) sum += p->bytes();
+    for (const CpuPlane* p : {&l.d, &l.b, &l.next, &l.cx, &l.cz, &l.shareX, &l.shareZ, &l.inverse, &l.applied, &l.lastApplied}) {
+      if (p->width() > 0) sum += p->bytes();
+    }
   }
   return sum;
 }

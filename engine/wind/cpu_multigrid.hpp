@@ -15,29 +15,29 @@ class CpuMultigrid {
   /// Takes over new solids or borders of a grid.
   void rebuild(const WindGrid& grid);
 
-  /// The right-hand side b, set by the caller before solving: flux in m^2/s; 0 in solid cells.
+  /// The right-hand side b, set by the caller before solving: flux in m^2/s; 0 in solid cells. Solving overwrites it.
   [[nodiscard]] CpuPlane& flux() { return m_levels[0].b; }
   /// The solution d.
-  [[nodiscard]] const CpuPlane& correction() const { return m_levels[0].d; }
+  [[nodiscard]] const CpuPlane& correction() const { return m_solution; }
 
-  /// d = 0.
-  void start();
-  /// One V-cycle from the present d; afterwards the sum over cells of (b - A d)^2.
-  double cycle(ThreadPool& pool);
-  /// Jacobi sweeps from the present d.
+  /// Solves from d = 0 until the sum over cells of (b - A d)^2 is at most `wantedSquares` or `maxCycles` V-cycles are done;
+  /// `startSquares` is the sum at the start. Returns the cycles.
+  int solve(ThreadPool& pool, double startSquares, double wantedSquares, int maxCycles);
+  /// Jacobi sweeps from d = 0.
   void sweep(ThreadPool& pool, int sweeps);
 
   [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
-  double run(ThreadPool& pool, const LevelPass& pass);
+  LevelProducts cycle(ThreadPool& pool);
+  LevelProducts run(ThreadPool& pool, const LevelPass& pass);
+  void advance(ThreadPool& pool, float alpha, float beta);
   void setGhosts(CpuPlane& plane) const;
-  void wrapSides(CpuLevel& level) const;
 
   Border m_xMin = Border::Open, m_xMax = Border::Open, m_zMin = Border::Open, m_zMax = Border::Open;
   std::vector<CpuLevel> m_levels;
-  std::vector<double> m_sums;
-  bool m_zero = true;  // d of the finest level counts as 0, whatever it holds
+  CpuPlane m_solution, m_direction;
+  std::vector<LevelProducts> m_products;
 };
 
 }  // namespace windloom

@@ -160,12 +160,12 @@ HWY_ATTR RowFindings predictTask(CpuFields& f, CpuPlane& flux, int begin, int en
     settleRowX(f, k, u, findings);
     settleRowZ(f, k + 1, k + 1 < end || k + 1 == height, settled(k + 1), findings);
     fluxRow(f.grid, u, settled(k), settled(k + 1), came);
-    findings.fluxSquares += squaresOf(came, width);
-    findings.speedSquares += squaresOf(u, width) + squaresOf(settled(k), width);
+    findings.fluxSquares += productOf(came, came, width);
+    findings.speedSquares += productOf(u, u, width) + productOf(settled(k), settled(k), width);
     gradientX(f, f.phi, k, u, f.velocity.u.row(k));
     gradientZ(f, f.phi, k + 1, settled(k + 1), predicted(k + 1));
     fluxRow(f.grid, f.velocity.u.row(k), predicted(k), predicted(k + 1), flux.row(k));
-    findings.predictedSquares += squaresOf(flux.row(k), width);
+    findings.predictedSquares += productOf(flux.row(k), flux.row(k), width);
     std::copy_n(predicted(k), width, f.velocity.w.row(k));
   }
   if (end == height) std::copy_n(predicted(end), width, f.velocity.w.row(end));
@@ -193,12 +193,12 @@ HWY_ATTR RowFindings finishTask(CpuFields& f, const CpuPlane& correction, int be
     std::copy_n(w(k), width, f.moved.w.row(k));
     addPressure(correction.row(k), width, f.phi.row(k));
     fluxRow(f.grid, u, w(k), w(k + 1), flux);
-    findings.fluxSquares += squaresOf(flux, width);
+    findings.fluxSquares += productOf(flux, flux, width);
     findings.greatestFlux = std::max(findings.greatestFlux, static_cast<double>(greatestOf(flux, width)));
     float *x = f.speedX.row(k), *z = f.speedZ.row(k);
     meanRow(u, u + 1, width, x);
     meanRow(w(k), w(k + 1), width, z);
-    findings.cellSquares += squaresOf(x, width) + squaresOf(z, width);
+    findings.cellSquares += productOf(x, x, width) + productOf(z, z, width);
     findings.greatestCellX = std::max(findings.greatestCellX, greatestOf(x, width));
     findings.greatestCellZ = std::max(findings.greatestCellZ, greatestOf(z, width));
     for (int i = 0; i < width; ++i) flux[i] = x[i] * x[i] + z[i] * z[i];

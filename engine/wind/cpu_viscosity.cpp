@@ -48,7 +48,8 @@ void copyRows(const CpuVelocity& from, CpuVelocity& to) {
 int viscositySweeps(double diagonal) {
   const double s = (diagonal - 1) / diagonal;
   const double rho = s / (1 + std::sqrt(1 - s * s));
-  const double wanted = rho > 0 && rho < 1 ? std::ceil(std::log(2e5) / -std::log(rho)) : double(WIND_VISCOSITY_SWEEPS);
+  if (rho <= 0) return 2;
+  const double wanted = rho < 1 ? std::ceil(std::log(2e5) / -std::log(rho)) : double(WIND_VISCOSITY_SWEEPS);
   return static_cast<int>(std::clamp(wanted, 2.0, double(WIND_VISCOSITY_SWEEPS)));
 }
 

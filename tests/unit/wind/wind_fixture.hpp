@@ -45,6 +45,14 @@ inline void setFaces(CpuWindSolver& solver, const std::function<glm::dvec2(doubl
   }
 }
 
+/// Steady vortices with this many half waves across a square of `size` m and the given peak speed.
+inline std::function<glm::dvec2(double, double)> taylorGreen(double size, double halfWaves, double peak) {
+  return [=](double x, double z) {
+    const double k = kPi * halfWaves / size;
+    return glm::dvec2(peak * std::sin(k * x) * std::cos(k * z), -peak * std::cos(k * x) * std::sin(k * z));
+  };
+}
+
 /// Sum over all faces of u^2 + w^2.
 inline double faceEnergy(const CpuFields& f) {
   double sum = 0;
