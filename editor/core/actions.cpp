@@ -91,7 +91,8 @@ std::string ActionTable::tooltip(std::string_view id) const {
   const Action* action = find(id);
   if (!action) return {};
   const std::string shortcut = shortcutText(id);
-  return label(id) + (shortcut.empty() ? "" : " (" + shortcut + ")") + (action->help.empty() ? "" : ": " + action->help);
+  return label(id) + (shortcut.empty() ? "" : " (" + shortcut + ")") +
+         (action->help.empty() ? "" : ": " + action->help);
 }
 
 bool ActionTable::run(std::string_view id) {

@@ -18,12 +18,12 @@ struct Action {
   std::string label;     ///< "Undo"
   std::string category;  ///< menu and help heading: "File", "Edit", "Select", "Graph", "Tools", "View", "Play", "Help"
   std::string help;      ///< one sentence for tooltip and palette; may be empty
-  std::vector<Shortcut> shortcuts = {};         ///< the first is shown
-  std::function<void()> run = {};               ///< must be set
-  std::function<bool()> enabled = {};           ///< empty: always
-  std::function<bool()> checked = {};           ///< set for switches and modes: whether it is on
+  std::vector<Shortcut> shortcuts = {};            ///< the first is shown
+  std::function<void()> run = {};                  ///< must be set
+  std::function<bool()> enabled = {};              ///< empty: always
+  std::function<bool()> checked = {};              ///< set for switches and modes: whether it is on
   std::function<std::string()> dynamicLabel = {};  ///< instead of label where set: "Undo Move point"
-  bool repeats = false;                         ///< runs again while the key is held
+  bool repeats = false;                            ///< runs again while the key is held
 };
 
 class ActionTable {
@@ -35,7 +35,7 @@ class ActionTable {
   [[nodiscard]] const Action* find(std::string_view id) const;
   [[nodiscard]] bool enabled(std::string_view id) const;
   [[nodiscard]] bool checked(std::string_view id) const;
-  [[nodiscard]] std::string label(std::string_view id) const;     ///< dynamic where it has one
+  [[nodiscard]] std::string label(std::string_view id) const;  ///< dynamic where it has one
   /// First shortcut as text, "" where there is none; for menus and tooltips.
   [[nodiscard]] std::string shortcutText(std::string_view id) const;
   /// "Draw tree (D): help"

@@ -16,10 +16,22 @@ struct UnitFactor {
   double factor;
 };
 constexpr auto kUnits = std::to_array<UnitFactor>({
-    {"mm", "m", 0.001},        {"cm", "m", 0.01},        {"km", "m", 1000.0},       {"ft", "m", 0.3048},
-    {"in", "m", 0.0254},       {"km/h", "m/s", 1 / 3.6}, {"kmh", "m/s", 1 / 3.6},   {"mph", "m/s", 0.44704},
-    {"kn", "m/s", 1852.0 / 3600.0}, {"cm/s", "m/s", 0.01}, {"ms", "s", 0.001},      {"min", "s", 60.0},
-    {"h", "s", 3600.0},        {"rad", "deg", 180.0 / kPi}, {"°", "deg", 1.0},      {"%", "", 0.01},
+    {"mm", "m", 0.001},
+    {"cm", "m", 0.01},
+    {"km", "m", 1000.0},
+    {"ft", "m", 0.3048},
+    {"in", "m", 0.0254},
+    {"km/h", "m/s", 1 / 3.6},
+    {"kmh", "m/s", 1 / 3.6},
+    {"mph", "m/s", 0.44704},
+    {"kn", "m/s", 1852.0 / 3600.0},
+    {"cm/s", "m/s", 0.01},
+    {"ms", "s", 0.001},
+    {"min", "s", 60.0},
+    {"h", "s", 3600.0},
+    {"rad", "deg", 180.0 / kPi},
+    {"°", "deg", 1.0},
+    {"%", "", 0.01},
 });
 
 /// Recursive descent over one text. A failure is remembered once, with its place.
@@ -31,9 +43,12 @@ class Parser {
     const Depth depth(*this);
     double value = term();
     for (;;) {
-      if (take('+')) value += term();
-      else if (take('-')) value -= term();
-      else return value;
+      if (take('+'))
+        value += term();
+      else if (take('-'))
+        value -= term();
+      else
+        return value;
     }
   }
   std::string_view rest() {

@@ -19,7 +19,9 @@ namespace {
 constexpr std::string_view kFormat = "windloom-rescue";
 constexpr std::string_view kSuffix = ".rescue.json";
 
-fs::path lockOf(const fs::path& sideFile) { return sideFile.string() + ".lock"; }
+fs::path lockOf(const fs::path& sideFile) {
+  return sideFile.string() + ".lock";
+}
 
 /// The file locked for this process, or -1 where another one has it.
 int lockFile(const fs::path& path) {

@@ -12,7 +12,9 @@ constexpr float kZoomPerNotch = 0.87f;
 constexpr float kMinDistance = 0.5f, kMaxDistance = 3000.0f;
 constexpr float kMinPitch = -89.0f, kMaxPitch = 90.0f;
 
-float wrapDegrees(float degrees) { return std::remainder(degrees, 360.0f); }
+float wrapDegrees(float degrees) {
+  return std::remainder(degrees, 360.0f);
+}
 
 /// Half the height of the view at the target's distance, m.
 float halfHeight(const EditorCamera& camera) {
@@ -33,7 +35,9 @@ glm::vec3 EditorCamera::up() const {
   const float y = glm::radians(yaw), p = glm::radians(pitch);
   return {-std::sin(y) * std::sin(p), std::cos(p), -std::cos(y) * std::sin(p)};
 }
-glm::vec3 EditorCamera::position() const { return target - distance * forward(); }
+glm::vec3 EditorCamera::position() const {
+  return target - distance * forward();
+}
 
 CameraPose EditorCamera::pose() const {
   CameraPose pose;
@@ -106,8 +110,7 @@ EditorCamera pan(EditorCamera camera, glm::vec2 delta, glm::vec2 viewport) {
 
 EditorCamera zoomTo(EditorCamera camera, float notches, glm::vec2 pixel, glm::vec2 viewport, const Ground& ground) {
   const ViewMapping before(camera, viewport);
-  const float distance =
-      std::clamp(camera.distance * std::pow(kZoomPerNotch, notches), kMinDistance, kMaxDistance);
+  const float distance = std::clamp(camera.distance * std::pow(kZoomPerNotch, notches), kMinDistance, kMaxDistance);
   const float factor = distance / camera.distance;
   // Scaling the whole view around the place under the pointer keeps that place where it is. Far off,
   // towards the horizon, the target's depth stands in for it, or one notch would cross the country.
@@ -159,8 +162,8 @@ EditorCamera frameBounds(EditorCamera camera, glm::vec2 low, glm::vec2 high, glm
   float distance = 1.0f / tangent;
   for (const glm::vec2 corner : {low, high, glm::vec2(low.x, high.y), glm::vec2(high.x, low.y)}) {
     const glm::vec3 offset(corner.x - centre.x, 0.0f, corner.y - centre.y);
-    const float across = std::max(std::abs(glm::dot(offset, camera.right())) / aspect,
-                                  std::abs(glm::dot(offset, camera.up())));
+    const float across =
+        std::max(std::abs(glm::dot(offset, camera.right())) / aspect, std::abs(glm::dot(offset, camera.up())));
     // What lies nearer than the target looks larger in perspective.
     const float nearer = camera.orthographic ? 0.0f : -glm::dot(offset, camera.forward());
     distance = std::max(distance, kMargin * across / tangent + nearer);

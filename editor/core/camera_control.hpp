@@ -16,7 +16,7 @@ struct CameraPose {
   glm::vec3 position{0.0f};
   glm::vec3 target{0.0f};
   glm::vec3 up{0.0f, 1.0f, 0.0f};
-  float fieldOfView = 45.0f;          ///< deg, vertical
+  float fieldOfView = 45.0f;  ///< deg, vertical
   bool orthographic = false;
   float orthographicHeight = 100.0f;  ///< m over the viewport's height
   float nearPlane = 0.1f, farPlane = 2000.0f;
@@ -26,11 +26,11 @@ struct CameraPose {
 /// around the target; pitch 90 looks straight down with -Z (at yaw 0) up on the screen.
 struct EditorCamera {
   glm::vec3 target{0.0f};
-  float yaw = 30.0f;         ///< deg
-  float pitch = 35.0f;       ///< deg, -89..90; 90 looks straight down
-  float distance = 75.0f;    ///< m from the target
-  float fieldOfView = 45.0f; ///< deg, vertical
-  bool orthographic = false; ///< shows as much at the target as the perspective would
+  float yaw = 30.0f;          ///< deg
+  float pitch = 35.0f;        ///< deg, -89..90; 90 looks straight down
+  float distance = 75.0f;     ///< m from the target
+  float fieldOfView = 45.0f;  ///< deg, vertical
+  bool orthographic = false;  ///< shows as much at the target as the perspective would
 
   [[nodiscard]] glm::vec3 position() const;
   [[nodiscard]] glm::vec3 forward() const;  ///< unit

@@ -11,8 +11,7 @@ void copySelection(Workspace& workspace) {
   if (workspace.selection.empty()) return;
   const std::string text = writeProject(extract(workspace.document.committed(), workspace.selection.ids()));
   workspace.writeClipboardText(text);
-  workspace.say(MessageKind::Info,
-                "Copied " + describeIds(workspace.document.committed(), workspace.selection.ids()));
+  workspace.say(MessageKind::Info, "Copied " + describeIds(workspace.document.committed(), workspace.selection.ids()));
 }
 
 void pasteAtPointer(Workspace& workspace) {

@@ -87,7 +87,9 @@ void addHistoryActions(Workspace& workspace) {
   edit.add(std::move(redo), {"Ctrl+Shift+Z", "Ctrl+Y"});
 }
 
-void deleteSelected(Workspace& w) { w.apply(deleteEdit(w.document.committed(), w.selection.ids())); }
+void deleteSelected(Workspace& w) {
+  w.apply(deleteEdit(w.document.committed(), w.selection.ids()));
+}
 
 /// Copies beside the originals, as far off as 24 pixels are there.
 void duplicateSelected(Workspace& w) {
@@ -227,10 +229,9 @@ void addFlagActions(Workspace& workspace) {
 
 void addToolActions(Workspace& workspace) {
   Adder tools(workspace, "Tools");
-  constexpr std::pair<const char*, const char*> keys[] = {{"select", "Q"}, {"move", "W"},     {"rotate", "E"},
-                                                          {"scale", "R"},  {"draw", "D"},     {"obstacle", "O"},
-                                                          {"vortex", "V"},
-                                                          {"probe", "P"},  {"delete", nullptr}};
+  constexpr std::pair<const char*, const char*> keys[] = {{"select", "Q"}, {"move", "W"},  {"rotate", "E"},
+                                                          {"scale", "R"},  {"draw", "D"},  {"obstacle", "O"},
+                                                          {"vortex", "V"}, {"probe", "P"}, {"delete", nullptr}};
   for (const auto& [id, key] : keys) {
     const std::string tool = id;
     std::string label;

@@ -35,7 +35,9 @@ void DocumentFlow::requestSaveAs() {
   m_prompt = Prompt::ChooseSavePath;
 }
 
-void DocumentFlow::requestQuit() { begin(Then::Quit); }
+void DocumentFlow::requestQuit() {
+  begin(Then::Quit);
+}
 
 void DocumentFlow::begin(Then then) {
   m_then = then;

@@ -25,10 +25,10 @@ class DocumentFlow {
   explicit DocumentFlow(Document& document) : m_document(document) {}
 
   // Requests. A request while another is pending replaces it.
-  void requestNew(Project start = {});  ///< `start`: a template
-  void requestOpen();                   ///< asks for the path
+  void requestNew(Project start = {});           ///< `start`: a template
+  void requestOpen();                            ///< asks for the path
   void requestOpen(std::filesystem::path path);  ///< recent file, drop, command line
-  void requestSave();                   ///< asks for a path where there is none
+  void requestSave();                            ///< asks for a path where there is none
   void requestSaveAs();
   void requestQuit();
 

@@ -25,7 +25,9 @@ Id pointAt(const ToolContext& context, glm::vec2 pixel, Id except) {
   return hits.empty() ? 0 : hits.front().id;
 }
 
-DrawEnd atPoint(const Project& project, Id id) { return {id, findPoint(*project.graph, id)->position}; }
+DrawEnd atPoint(const Project& project, Id id) {
+  return {id, findPoint(*project.graph, id)->position};
+}
 
 std::optional<DrawEnd> startAt(const ToolContext& context, const PointerEvent& pointer) {
   if (const Id id = pointAt(context, pointer.pixel, 0)) return atPoint(context.document.committed(), id);

@@ -34,7 +34,9 @@ std::vector<Id> pointsOf(const IdIndex& index, std::span<const Id> ids) {
   return points;
 }
 
-std::uint64_t endsKey(Id from, Id to) { return std::uint64_t{from} << 32 | to; }
+std::uint64_t endsKey(Id from, Id to) {
+  return std::uint64_t{from} << 32 | to;
+}
 
 /// Replaces every point of `gone` by `kept`, which is then at `position`.
 Edit mergeInto(const Project& project, const std::unordered_set<Id>& gone, const Point& kept, glm::vec2 position) {
@@ -236,13 +238,12 @@ Edit dissolveEdit(const Project& project, std::span<const Id> ids) {
     if (!index.point(id)) continue;
     const auto into = std::find_if(arrows.begin(), arrows.end(), [&](const Arrow& a) { return a.to == id; });
     const auto out = std::find_if(arrows.begin(), arrows.end(), [&](const Arrow& a) { return a.from == id; });
-    const auto touching = std::count_if(arrows.begin(), arrows.end(),
-                                        [&](const Arrow& a) { return a.from == id || a.to == id; });
+    const auto touching =
+        std::count_if(arrows.begin(), arrows.end(), [&](const Arrow& a) { return a.from == id || a.to == id; });
     erase.ids.push_back(id);
     const bool passes = touching == 2 && into != arrows.end() && out != arrows.end() && into->from != out->to;
-    const bool doubled = passes && std::any_of(arrows.begin(), arrows.end(), [&](const Arrow& a) {
-                           return a.from == into->from && a.to == out->to;
-                         });
+    const bool doubled = passes && std::any_of(arrows.begin(), arrows.end(),
+                                               [&](const Arrow& a) { return a.from == into->from && a.to == out->to; });
     if (passes && !doubled) {
       into->to = out->to;
       into->swirl = out->swirl;

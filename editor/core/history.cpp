@@ -12,7 +12,9 @@ template <class T>
 std::size_t bytesOf(const T& settings) {
   return sizeof settings + heapOf(settings.extra);
 }
-std::size_t bytesOf(const std::string& text) { return sizeof text + heapOf(text); }
+std::size_t bytesOf(const std::string& text) {
+  return sizeof text + heapOf(text);
+}
 template <class T>
 std::size_t bytesOf(const std::vector<T>& records) {
   std::size_t bytes = sizeof records + records.capacity() * sizeof(T);
@@ -56,8 +58,7 @@ History::History(Project start, HistoryLimits limits) : m_saved(start), m_limits
 }
 
 void History::push(Project project, std::string label, std::string mergeKey) {
-  const bool merges = !mergeKey.empty() && !m_sealed && m_at > 0 && !canRedo() &&
-                      m_entries[m_at].mergeKey == mergeKey;
+  const bool merges = !mergeKey.empty() && !m_sealed && m_at > 0 && !canRedo() && m_entries[m_at].mergeKey == mergeKey;
   if (merges) {
     Entry& entry = m_entries[m_at];
     entry.project = std::move(project);
@@ -72,8 +73,12 @@ void History::push(Project project, std::string label, std::string mergeKey) {
   trim();
 }
 
-bool History::undo() { return canUndo() && jump(m_at - 1); }
-bool History::redo() { return canRedo() && jump(m_at + 1); }
+bool History::undo() {
+  return canUndo() && jump(m_at - 1);
+}
+bool History::redo() {
+  return canRedo() && jump(m_at + 1);
+}
 
 bool History::jump(std::size_t index) {
   if (index >= m_entries.size()) return false;

@@ -44,7 +44,10 @@ class History {
   /// Goes to an entry of entries(); out of range does nothing and gives false.
   bool jump(std::size_t index);
 
-  void markSaved() { m_saved = current(); m_sealed = true; }
+  void markSaved() {
+    m_saved = current();
+    m_sealed = true;
+  }
   /// Whether the current project differs from the one last saved. Undoing back to it makes it clean again.
   [[nodiscard]] bool dirty() const { return !m_saved.sameAs(current()); }
   /// Nothing on disk equals this project (a recovered or new one from a template).

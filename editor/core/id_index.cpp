@@ -28,10 +28,20 @@ const T* IdIndex::record(Id id, ObjectKind kind, const std::vector<T>& records) 
   return found != m_places.end() && found->second.kind == kind ? &records[found->second.index] : nullptr;
 }
 
-const Point* IdIndex::point(Id id) const { return record(id, ObjectKind::Point, m_project.graph->points); }
-const Arrow* IdIndex::arrow(Id id) const { return record(id, ObjectKind::Arrow, m_project.graph->arrows); }
-const Obstacle* IdIndex::obstacle(Id id) const { return record(id, ObjectKind::Obstacle, *m_project.obstacles); }
-const Probe* IdIndex::probe(Id id) const { return record(id, ObjectKind::Probe, *m_project.probes); }
-const Camera* IdIndex::camera(Id id) const { return record(id, ObjectKind::Camera, *m_project.cameras); }
+const Point* IdIndex::point(Id id) const {
+  return record(id, ObjectKind::Point, m_project.graph->points);
+}
+const Arrow* IdIndex::arrow(Id id) const {
+  return record(id, ObjectKind::Arrow, m_project.graph->arrows);
+}
+const Obstacle* IdIndex::obstacle(Id id) const {
+  return record(id, ObjectKind::Obstacle, *m_project.obstacles);
+}
+const Probe* IdIndex::probe(Id id) const {
+  return record(id, ObjectKind::Probe, *m_project.probes);
+}
+const Camera* IdIndex::camera(Id id) const {
+  return record(id, ObjectKind::Camera, *m_project.cameras);
+}
 
 }  // namespace windloom::editor

@@ -35,11 +35,16 @@ struct RecordAccess {
   }
   static EditStep write(Owner owner) { return Put<Owner>{std::move(owner)}; }
   static const std::vector<Owner>& records(const Project& project) {
-    if constexpr (std::is_same_v<Owner, Point>) return project.graph->points;
-    else if constexpr (std::is_same_v<Owner, Arrow>) return project.graph->arrows;
-    else if constexpr (std::is_same_v<Owner, Obstacle>) return *project.obstacles;
-    else if constexpr (std::is_same_v<Owner, Probe>) return *project.probes;
-    else return *project.cameras;
+    if constexpr (std::is_same_v<Owner, Point>)
+      return project.graph->points;
+    else if constexpr (std::is_same_v<Owner, Arrow>)
+      return project.graph->arrows;
+    else if constexpr (std::is_same_v<Owner, Obstacle>)
+      return *project.obstacles;
+    else if constexpr (std::is_same_v<Owner, Probe>)
+      return *project.probes;
+    else
+      return *project.cameras;
   }
 };
 
@@ -70,13 +75,20 @@ auto forKind(InspectorKind kind, Work&& work) {
       return work.template operator()<TerrainSettings, PartAccess<TerrainSettings, &Project::terrain>>();
     case InspectorKind::Grass:
       return work.template operator()<GrassSettings, PartAccess<GrassSettings, &Project::grass>>();
-    case InspectorKind::Point: return work.template operator()<Point, RecordAccess<Point>>();
-    case InspectorKind::Arrow: return work.template operator()<Arrow, RecordAccess<Arrow>>();
-    case InspectorKind::Signal: return work.template operator()<Signal, SignalAccess>();
-    case InspectorKind::Obstacle: return work.template operator()<Obstacle, RecordAccess<Obstacle>>();
-    case InspectorKind::Probe: return work.template operator()<Probe, RecordAccess<Probe>>();
-    case InspectorKind::Camera: return work.template operator()<Camera, RecordAccess<Camera>>();
-    case InspectorKind::Field: break;
+    case InspectorKind::Point:
+      return work.template operator()<Point, RecordAccess<Point>>();
+    case InspectorKind::Arrow:
+      return work.template operator()<Arrow, RecordAccess<Arrow>>();
+    case InspectorKind::Signal:
+      return work.template operator()<Signal, SignalAccess>();
+    case InspectorKind::Obstacle:
+      return work.template operator()<Obstacle, RecordAccess<Obstacle>>();
+    case InspectorKind::Probe:
+      return work.template operator()<Probe, RecordAccess<Probe>>();
+    case InspectorKind::Camera:
+      return work.template operator()<Camera, RecordAccess<Camera>>();
+    case InspectorKind::Field:
+      break;
   }
   return work.template operator()<FieldSettings, PartAccess<FieldSettings, &Project::field>>();
 }
@@ -116,13 +128,20 @@ InspectorSection makeSection(const Project& project, const InspectorTarget& targ
 
 std::string titleOf(const Project& project, const InspectorTarget& target) {
   switch (target.kind) {
-    case InspectorKind::Field: return "Field";
-    case InspectorKind::Solver: return "Solver";
-    case InspectorKind::Ambient: return "Ambient wind";
-    case InspectorKind::Terrain: return "Terrain";
-    case InspectorKind::Grass: return "Grass";
-    case InspectorKind::Signal: break;
-    default: return describeIds(project, target.ids);
+    case InspectorKind::Field:
+      return "Field";
+    case InspectorKind::Solver:
+      return "Solver";
+    case InspectorKind::Ambient:
+      return "Ambient wind";
+    case InspectorKind::Terrain:
+      return "Terrain";
+    case InspectorKind::Grass:
+      return "Grass";
+    case InspectorKind::Signal:
+      break;
+    default:
+      return describeIds(project, target.ids);
   }
   if (target.ids.size() != 1) return "Signals of " + std::to_string(target.ids.size()) + " roots";
   const std::string name = nameOf(project, target.ids[0]);
@@ -185,9 +204,8 @@ ParameterValue withComponent(V vector, int component, double value) {
 }  // namespace
 
 InspectorSection inspect(const Project& project, const InspectorTarget& target) {
-  InspectorSection section = forKind(target.kind, [&]<class Owner, class Access>() {
-    return makeSection<Owner, Access>(project, target);
-  });
+  InspectorSection section =
+      forKind(target.kind, [&]<class Owner, class Access>() { return makeSection<Owner, Access>(project, target); });
   section.title = titleOf(project, target);
   return section;
 }
@@ -256,8 +274,8 @@ Result<Edit> setFromText(const Project& project, const InspectorTarget& target, 
                          std::string_view text, int component) {
   const ParameterInfo* info = infoOf(target.kind, key);
   if (!info) return makeError(ErrorKind::BadInput, "there is no parameter '" + std::string(key) + "'");
-  const bool vector = info->type == ParameterType::Real2 || info->type == ParameterType::Real3 ||
-                      info->type == ParameterType::Integer2;
+  const bool vector =
+      info->type == ParameterType::Real2 || info->type == ParameterType::Real3 || info->type == ParameterType::Integer2;
   if (vector && component >= 0) {
     const Result<double> number = numberFromText(*info, text);
     if (!number) return number.error();

@@ -25,7 +25,7 @@ struct InspectorTarget {
 
 struct InspectorRow {
   ParameterInfo info;
-  ParameterValue value;         ///< of the first; what the widget shows where not mixed
+  ParameterValue value;  ///< of the first; what the widget shows where not mixed
   ParameterValue defaultValue;
   bool mixed = false;           ///< the targets differ
   bool mixedComponent[3] = {};  ///< which components differ, for vectors

@@ -2,7 +2,9 @@
 
 namespace windloom::editor {
 
-bool isRelevant(const Arrow& arrow, std::string_view key) { return key != "response" || arrow.drive == Drive::Speed; }
+bool isRelevant(const Arrow& arrow, std::string_view key) {
+  return key != "response" || arrow.drive == Drive::Speed;
+}
 
 bool isRelevant(const Signal& signal, std::string_view key) {
   if (key == "on" || key == "release") return signal.kind == SignalKind::Pulse;

@@ -48,7 +48,9 @@ std::optional<Edit> MoveDrag::update(ToolContext& context, const PointerEvent& p
   return make(context);
 }
 
-std::optional<Edit> MoveDrag::end(ToolContext& context) { return make(context); }
+std::optional<Edit> MoveDrag::end(ToolContext& context) {
+  return make(context);
+}
 
 void MoveDrag::applied(ToolContext& context) {
   if (m_what == MoveWhat::Copies) context.selection.replace(m_copies);
@@ -75,8 +77,7 @@ void MoveDrag::shapes(const ToolContext& context, PreviewShapes& shapes) const {
     const glm::vec3 way = x ? glm::vec3(kReach, 0.0f, 0.0f) : glm::vec3(0.0f, 0.0f, kReach);
     shapes.lines.push_back({middle - way, middle + way, x ? ShapeRole::AxisX : ShapeRole::AxisZ});
   }
-  shapes.lines.push_back(
-      {context.ground.lift(m_anchor), context.ground.lift(m_anchor + m_delta), ShapeRole::Guide});
+  shapes.lines.push_back({context.ground.lift(m_anchor), context.ground.lift(m_anchor + m_delta), ShapeRole::Guide});
   const double length = static_cast<double>(glm::length(m_delta));
   std::string text = m_number.empty() ? fixed(length, 2) + " m" : m_number.text() + " m";
   text += "  (" + fixed(static_cast<double>(m_delta.x), 2) + ", " + fixed(static_cast<double>(m_delta.y), 2) + ")";

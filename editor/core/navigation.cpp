@@ -35,13 +35,20 @@ bool Navigator::move(EditorCamera& camera, const PointerEvent& pointer, glm::vec
   const glm::vec2 delta = pointer.pixel - m_last;
   m_last = pointer.pixel;
   switch (m_gesture) {
-    case Gesture::Orbit: camera = orbit(camera, delta); break;
-    case Gesture::Pan: camera = pan(camera, delta, viewport); break;
+    case Gesture::Orbit:
+      camera = orbit(camera, delta);
+      break;
+    case Gesture::Pan:
+      camera = pan(camera, delta, viewport);
+      break;
     case Gesture::Zoom:
       camera = zoomTo(camera, (delta.x - delta.y) / kPixelsPerNotch, m_start, viewport, ground);
       break;
-    case Gesture::Fly: camera = lookAround(camera, delta); break;
-    case Gesture::None: break;
+    case Gesture::Fly:
+      camera = lookAround(camera, delta);
+      break;
+    case Gesture::None:
+      break;
   }
   return true;
 }

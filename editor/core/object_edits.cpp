@@ -21,7 +21,9 @@ Edit named(std::string label, std::string mergeKey = {}) {
   return edit;
 }
 
-std::unordered_set<Id> setOf(std::span<const Id> ids) { return {ids.begin(), ids.end()}; }
+std::unordered_set<Id> setOf(std::span<const Id> ids) {
+  return {ids.begin(), ids.end()};
+}
 
 /// Steps of the same thing on the same ids merge.
 std::string keyOf(std::string what, std::span<const Id> ids) {

@@ -47,9 +47,12 @@ std::unordered_set<Id> carriers(const Project& project, std::span<const Id> ids)
 
 const char* flagLabel(Flag flag, bool on) {
   switch (flag) {
-    case Flag::Hidden: return on ? "Hide" : "Show";
-    case Flag::Muted: return on ? "Mute" : "Unmute";
-    case Flag::Locked: return on ? "Lock" : "Unlock";
+    case Flag::Hidden:
+      return on ? "Hide" : "Show";
+    case Flag::Muted:
+      return on ? "Mute" : "Unmute";
+    case Flag::Locked:
+      return on ? "Lock" : "Unlock";
   }
   return "";
 }

@@ -49,9 +49,15 @@ void includePoint(std::optional<GroundBounds>& bounds, const IdIndex& index, Id 
 
 }  // namespace
 
-const Obstacle* findObstacle(const Project& project, Id id) { return findIn(*project.obstacles, id); }
-const Probe* findProbe(const Project& project, Id id) { return findIn(*project.probes, id); }
-const Camera* findCamera(const Project& project, Id id) { return findIn(*project.cameras, id); }
+const Obstacle* findObstacle(const Project& project, Id id) {
+  return findIn(*project.obstacles, id);
+}
+const Probe* findProbe(const Project& project, Id id) {
+  return findIn(*project.probes, id);
+}
+const Camera* findCamera(const Project& project, Id id) {
+  return findIn(*project.cameras, id);
+}
 
 std::optional<ObjectKind> kindOf(const Project& project, Id id) {
   if (findPoint(*project.graph, id)) return ObjectKind::Point;
@@ -64,11 +70,16 @@ std::optional<ObjectKind> kindOf(const Project& project, Id id) {
 
 const char* kindLabel(ObjectKind kind) {
   switch (kind) {
-    case ObjectKind::Point: return "Point";
-    case ObjectKind::Arrow: return "Arrow";
-    case ObjectKind::Obstacle: return "Obstacle";
-    case ObjectKind::Probe: return "Probe";
-    case ObjectKind::Camera: return "Camera";
+    case ObjectKind::Point:
+      return "Point";
+    case ObjectKind::Arrow:
+      return "Arrow";
+    case ObjectKind::Obstacle:
+      return "Obstacle";
+    case ObjectKind::Probe:
+      return "Probe";
+    case ObjectKind::Camera:
+      return "Camera";
   }
   return "";
 }

@@ -81,8 +81,7 @@ class Picker {
   /// False where the outline is surely out of reach: saves the outline.
   [[nodiscard]] bool couldReach(const Obstacle& obstacle, float radiusPx) const {
     if (!m_place) return true;
-    const float extent =
-        obstacle.shape == ObstacleShape::Circle ? obstacle.radius : 0.5f * glm::length(obstacle.size);
+    const float extent = obstacle.shape == ObstacleShape::Circle ? obstacle.radius : 0.5f * glm::length(obstacle.size);
     const float reach = 4.0f * radiusPx * m_view.metresPerPixel(m_ground.lift(obstacle.centre));
     const float grazing = std::max(0.05f, -m_view.camera().forward().y);  // a pixel covers more ground edge-on
     return glm::distance(*m_place, obstacle.centre) <= extent + reach / grazing;
@@ -117,10 +116,14 @@ class Picker {
 int rank(const Hit& hit) {
   switch (hit.kind) {
     case ObjectKind::Point:
-    case ObjectKind::Probe: return 0;
-    case ObjectKind::Arrow: return 1;
-    case ObjectKind::Obstacle: return hit.inside ? 3 : 2;
-    case ObjectKind::Camera: return 4;
+    case ObjectKind::Probe:
+      return 0;
+    case ObjectKind::Arrow:
+      return 1;
+    case ObjectKind::Obstacle:
+      return hit.inside ? 3 : 2;
+    case ObjectKind::Camera:
+      return 4;
   }
   return 4;
 }

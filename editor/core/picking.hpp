@@ -22,7 +22,7 @@ struct Hit {
 struct PickOptions {
   float radiusPx = kHitRadiusPx;  ///< times the interface scale
   bool points = true, arrows = true, obstacles = true, probes = true;
-  Id ignore = 0;                  ///< never hit (the point being dragged)
+  Id ignore = 0;  ///< never hit (the point being dragged)
 };
 
 /// All hits: points and probes first, then arrows, then obstacles' outlines, then their insides; within a

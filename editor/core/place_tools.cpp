@@ -12,7 +12,7 @@ namespace {
 constexpr float kMinObstacleM = 0.05f;
 
 bool toggleShape(ToolContext& context, const KeyPress& press) {
-  if (press.key != Key::B || press.modifiers.any()) return false;
+  if (press.key != Key::C || press.modifiers.any()) return false;
   ObstacleShape& shape = context.settings.newObstacle.shape;
   shape = shape == ObstacleShape::Circle ? ObstacleShape::Box : ObstacleShape::Circle;
   return true;
@@ -37,12 +37,12 @@ class ObstacleDrag : public Drag {
     const glm::vec2 half = glm::abs(m_place - m_centre);
     const auto metres = [](float value) { return fixed(static_cast<double>(value), 2); };
     const bool circle = context.settings.newObstacle.shape == ObstacleShape::Circle;
-    shapes.labels.push_back({m_pixel + glm::vec2(16.0f, 16.0f),
-                             circle ? "radius " + metres(glm::length(half)) + " m"
-                                    : metres(2.0f * half.x) + " x " + metres(2.0f * half.y) + " m"});
+    shapes.labels.push_back(
+        {m_pixel + glm::vec2(16.0f, 16.0f), circle ? "radius " + metres(glm::length(half)) + " m"
+                                                   : metres(2.0f * half.x) + " x " + metres(2.0f * half.y) + " m"});
   }
   [[nodiscard]] std::string hint(const ToolContext&) const override {
-    return "Release to set the size. B: circle or box, Ctrl snaps to the grid, Esc cancels";
+    return "Release to set the size. C: circle or box, Ctrl snaps to the grid, Esc cancels";
   }
 
  private:
@@ -129,8 +129,8 @@ class DeleteDrag : public Drag {
 
 std::string ObstacleTool::hint(const ToolContext& context) const {
   const bool circle = context.settings.newObstacle.shape == ObstacleShape::Circle;
-  return std::string("Drag a ") + (circle ? "circle" : "box") + " from its centre outwards. B: " +
-         (circle ? "box" : "circle");
+  return std::string("Drag a ") + (circle ? "circle" : "box") +
+         " from its centre outwards. C: " + (circle ? "box" : "circle");
 }
 
 std::unique_ptr<Drag> ObstacleTool::beginDrag(ToolContext& context, const PointerEvent& press) {
@@ -139,9 +139,13 @@ std::unique_ptr<Drag> ObstacleTool::beginDrag(ToolContext& context, const Pointe
   return std::make_unique<ObstacleDrag>(snapToGrid(context.settings.snap, *place, press.modifiers));
 }
 
-bool ObstacleTool::onKey(ToolContext& context, const KeyPress& press) { return toggleShape(context, press); }
+bool ObstacleTool::onKey(ToolContext& context, const KeyPress& press) {
+  return toggleShape(context, press);
+}
 
-std::string ProbeTool::hint(const ToolContext&) const { return "Click where the wind is to be watched"; }
+std::string ProbeTool::hint(const ToolContext&) const {
+  return "Click where the wind is to be watched";
+}
 
 void ProbeTool::onClick(ToolContext& context, const PointerEvent& pointer) {
   ProbeDrag drag;
@@ -149,7 +153,9 @@ void ProbeTool::onClick(ToolContext& context, const PointerEvent& pointer) {
   if (edit && commit(context, *edit)) drag.applied(context);
 }
 
-std::unique_ptr<Drag> ProbeTool::beginDrag(ToolContext&, const PointerEvent&) { return std::make_unique<ProbeDrag>(); }
+std::unique_ptr<Drag> ProbeTool::beginDrag(ToolContext&, const PointerEvent&) {
+  return std::make_unique<ProbeDrag>();
+}
 
 std::string DeleteTool::hint(const ToolContext&) const {
   return "Click deletes, a drag deletes all that it sweeps over";

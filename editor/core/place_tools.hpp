@@ -5,7 +5,7 @@
 
 namespace windloom::editor {
 
-/// Drag from the centre outwards. B changes between circle and box, also during the drag.
+/// Drag from the centre outwards. C changes between circle and box, also during the drag.
 class ObstacleTool : public Tool {
  public:
   [[nodiscard]] std::string id() const override { return "obstacle"; }

@@ -87,7 +87,9 @@ void Preferences::usedFile(const fs::path& path) {
   if (recentFiles.size() > kMaxRecent) recentFiles.resize(kMaxRecent);
 }
 
-void Preferences::forgetFile(const fs::path& path) { std::erase(recentFiles, absolutePath(path).string()); }
+void Preferences::forgetFile(const fs::path& path) {
+  std::erase(recentFiles, absolutePath(path).string());
+}
 
 Preferences readPreferences(const fs::path& path, std::vector<std::string>* warnings) {
   Preferences preferences;
@@ -104,7 +106,8 @@ Preferences readPreferences(const fs::path& path, std::vector<std::string>* warn
   reader.read("theme", "\"dark\" or \"light\"", [&](const auto& v) { return takeTheme(v, preferences.theme); });
   reader.read("interfaceScale", "0 or a number from 0.5 to 4",
               [&](const auto& v) { return takeScale(v, preferences.interfaceScale); });
-  reader.read("recentFiles", "an array of paths", [&](const auto& v) { return takeRecent(v, preferences.recentFiles); });
+  reader.read("recentFiles", "an array of paths",
+              [&](const auto& v) { return takeRecent(v, preferences.recentFiles); });
   reader.read("keymap", "an object", [&](const auto& v) {
     if (v.is_object()) preferences.keymap = v.dump();
     return v.is_object();

@@ -14,10 +14,10 @@ enum class Theme { Dark, Light };
 
 struct Preferences {
   Theme theme = Theme::Dark;
-  float interfaceScale = 0;                ///< 0: from the monitor; else 0.5..4
-  std::vector<std::string> recentFiles;    ///< newest first, at most kMaxRecent, each once
-  std::string keymap = "{}";               ///< JSON object for ActionTable::applyKeymap
-  std::map<std::string, double> numbers;   ///< whatever a panel wants to remember: "layout.leftWidth", "view.overlays"
+  float interfaceScale = 0;               ///< 0: from the monitor; else 0.5..4
+  std::vector<std::string> recentFiles;   ///< newest first, at most kMaxRecent, each once
+  std::string keymap = "{}";              ///< JSON object for ActionTable::applyKeymap
+  std::map<std::string, double> numbers;  ///< whatever a panel wants to remember: "layout.leftWidth", "view.overlays"
   bool firstRunHintSeen = false;
 
   [[nodiscard]] double number(const std::string& name, double fallback) const;

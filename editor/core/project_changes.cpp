@@ -12,12 +12,16 @@ namespace {
 using Lines = std::vector<std::string>;
 constexpr std::size_t kNamedOneByOne = 5;
 
-Id keyOf(const Signal& signal) { return signal.root; }
+Id keyOf(const Signal& signal) {
+  return signal.root;
+}
 template <class T>
 Id keyOf(const T& record) {
   return record.id;
 }
-std::string nameIn(const Signal&) { return {}; }
+std::string nameIn(const Signal&) {
+  return {};
+}
 template <class T>
 std::string nameIn(const T& record) {
   return record.name;

@@ -26,9 +26,10 @@ bool isIndex(std::string_view text) {
 /// "graph/arrows/3/radius" as "The arrow's radius".
 std::string subject(std::string_view pointer) {
   constexpr std::pair<std::string_view, std::string_view> kNouns[] = {
-      {"points", "The point"},      {"arrows", "The arrow"}, {"signals", "The signal"}, {"obstacles", "The obstacle"},
-      {"probes", "The probe"},      {"cameras", "The camera"}, {"field", "The field"},  {"solver", "The solver"},
-      {"ambient", "The ambient wind"}, {"terrain", "The terrain"}, {"grass", "The grass"}, {"name", "The name"}};
+      {"points", "The point"},       {"arrows", "The arrow"},  {"signals", "The signal"},
+      {"obstacles", "The obstacle"}, {"probes", "The probe"},  {"cameras", "The camera"},
+      {"field", "The field"},        {"solver", "The solver"}, {"ambient", "The ambient wind"},
+      {"terrain", "The terrain"},    {"grass", "The grass"},   {"name", "The name"}};
   std::vector<std::string_view> parts = segments(pointer);
   if (!parts.empty() && parts.front() == "graph") parts.erase(parts.begin());
   if (parts.empty()) return {};
@@ -53,7 +54,8 @@ std::string refusalText(const Error& error) {
   if (!text.empty()) text.append(problem.message.starts_with("found") ? ": " : " ");
   text.append(problem.message);
   const std::size_t others = error.problems.size() - 1;
-  if (others > 0) text.append(" (and ").append(std::to_string(others)).append(others == 1 ? " more problem)" : " more problems)");
+  if (others > 0)
+    text.append(" (and ").append(std::to_string(others)).append(others == 1 ? " more problem)" : " more problems)");
   return text;
 }
 

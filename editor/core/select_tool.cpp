@@ -37,20 +37,28 @@ bool insertPointAt(ToolContext& context, glm::vec2 pixel, std::string& message) 
 
 std::string SelectTool::id() const {
   switch (m_kind) {
-    case SelectKind::Select: return "select";
-    case SelectKind::Move: return "move";
-    case SelectKind::Rotate: return "rotate";
-    case SelectKind::Scale: return "scale";
+    case SelectKind::Select:
+      return "select";
+    case SelectKind::Move:
+      return "move";
+    case SelectKind::Rotate:
+      return "rotate";
+    case SelectKind::Scale:
+      return "scale";
   }
   return {};
 }
 
 std::string SelectTool::label() const {
   switch (m_kind) {
-    case SelectKind::Select: return "Select";
-    case SelectKind::Move: return "Move";
-    case SelectKind::Rotate: return "Rotate";
-    case SelectKind::Scale: return "Scale";
+    case SelectKind::Select:
+      return "Select";
+    case SelectKind::Move:
+      return "Move";
+    case SelectKind::Rotate:
+      return "Rotate";
+    case SelectKind::Scale:
+      return "Scale";
   }
   return {};
 }
@@ -60,9 +68,12 @@ std::string SelectTool::hint(const ToolContext&) const {
     case SelectKind::Select:
       return "Click selects, Shift adds, Ctrl toggles, drag moves, drag on empty ground draws a box, "
              "Ctrl+click on an arrow inserts a point, Alt+drag copies";
-    case SelectKind::Move: return "Drag moves the selection, then X or Z locks the axis, numbers + Enter set the distance";
-    case SelectKind::Rotate: return "Drag turns the selection around its middle";
-    case SelectKind::Scale: return "Drag away from the middle of the selection or towards it";
+    case SelectKind::Move:
+      return "Drag moves the selection, then X or Z locks the axis, numbers + Enter set the distance";
+    case SelectKind::Rotate:
+      return "Drag turns the selection around its middle";
+    case SelectKind::Scale:
+      return "Drag away from the middle of the selection or towards it";
   }
   return {};
 }
@@ -103,8 +114,8 @@ std::unique_ptr<Drag> SelectTool::transform(ToolContext& context, const PointerE
     const TransformKind kind = m_kind == SelectKind::Rotate ? TransformKind::Rotate : TransformKind::Scale;
     return std::make_unique<TransformDrag>(context, kind, *pivot, *place);
   }
-  const glm::vec2 anchor = grabbed ? handlePlace(project, *grabbed, *place)
-                                   : pivotOf(project, context.selection.ids()).value_or(*place);
+  const glm::vec2 anchor =
+      grabbed ? handlePlace(project, *grabbed, *place) : pivotOf(project, context.selection.ids()).value_or(*place);
   return std::make_unique<MoveDrag>(context, *place, anchor,
                                     press.modifiers.alt ? MoveWhat::Copies : MoveWhat::Selection);
 }
@@ -118,12 +129,11 @@ std::unique_ptr<Drag> SelectTool::beginDrag(ToolContext& context, const PointerE
     return std::make_unique<BoxDrag>(context, press);
   }
   // Of several things at one place the selected one is meant.
-  const auto selected = std::find_if(hits.begin(), hits.end(),
-                                     [&](const Hit& hit) { return context.selection.contains(hit.id); });
+  const auto selected =
+      std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return context.selection.contains(hit.id); });
   const Hit grabbed = selected != hits.end() ? *selected : hits.front();
   if (selected == hits.end()) {
-    select(context.selection, std::span(&grabbed.id, 1),
-           press.modifiers.shift ? SelectMode::Add : SelectMode::Replace);
+    select(context.selection, std::span(&grabbed.id, 1), press.modifiers.shift ? SelectMode::Add : SelectMode::Replace);
   }
   return transform(context, press, &grabbed);
 }

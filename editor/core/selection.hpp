@@ -22,7 +22,7 @@ class Selection {
 
   void replace(std::vector<Id> ids);  ///< duplicates are dropped
   void replace(Id id) { replace(std::vector<Id>{id}); }
-  void add(Id id);                    ///< also makes it the active one
+  void add(Id id);  ///< also makes it the active one
   void toggle(Id id);
   void remove(Id id);
   void clear() { replace(std::vector<Id>{}); }

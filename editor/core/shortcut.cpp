@@ -14,24 +14,54 @@ struct KeyName {
 // Letters, digits and function keys are named by rule; here are the others. A second name for a key is
 // understood, the first is written.
 constexpr auto kNames = std::to_array<KeyName>({
-    {Key::Space, "Space"},           {Key::Enter, "Enter"},          {Key::Enter, "Return"},
-    {Key::Escape, "Esc"},            {Key::Escape, "Escape"},        {Key::Tab, "Tab"},
-    {Key::Backspace, "Backspace"},   {Key::Delete, "Del"},           {Key::Delete, "Delete"},
-    {Key::Insert, "Insert"},         {Key::Home, "Home"},            {Key::End, "End"},
-    {Key::PageUp, "Page Up"},        {Key::PageDown, "Page Down"},   {Key::PageUp, "PageUp"},
-    {Key::PageDown, "PageDown"},     {Key::Left, "Left"},            {Key::Right, "Right"},
-    {Key::Up, "Up"},                 {Key::Down, "Down"},            {Key::BracketLeft, "["},
-    {Key::BracketRight, "]"},        {Key::Comma, ","},              {Key::Period, "."},
-    {Key::Slash, "/"},               {Key::Backslash, "\\"},         {Key::Semicolon, ";"},
-    {Key::Apostrophe, "'"},          {Key::Minus, "-"},              {Key::Equal, "="},
-    {Key::Grave, "`"},               {Key::NumpadSlash, "Numpad /"}, {Key::NumpadStar, "Numpad *"},
-    {Key::NumpadMinus, "Numpad -"},  {Key::NumpadPlus, "Numpad Plus"}, {Key::NumpadPeriod, "Numpad ."},
+    {Key::Space, "Space"},
+    {Key::Enter, "Enter"},
+    {Key::Enter, "Return"},
+    {Key::Escape, "Esc"},
+    {Key::Escape, "Escape"},
+    {Key::Tab, "Tab"},
+    {Key::Backspace, "Backspace"},
+    {Key::Delete, "Del"},
+    {Key::Delete, "Delete"},
+    {Key::Insert, "Insert"},
+    {Key::Home, "Home"},
+    {Key::End, "End"},
+    {Key::PageUp, "Page Up"},
+    {Key::PageDown, "Page Down"},
+    {Key::PageUp, "PageUp"},
+    {Key::PageDown, "PageDown"},
+    {Key::Left, "Left"},
+    {Key::Right, "Right"},
+    {Key::Up, "Up"},
+    {Key::Down, "Down"},
+    {Key::BracketLeft, "["},
+    {Key::BracketRight, "]"},
+    {Key::Comma, ","},
+    {Key::Period, "."},
+    {Key::Slash, "/"},
+    {Key::Backslash, "\\"},
+    {Key::Semicolon, ";"},
+    {Key::Apostrophe, "'"},
+    {Key::Minus, "-"},
+    {Key::Equal, "="},
+    {Key::Grave, "`"},
+    {Key::NumpadSlash, "Numpad /"},
+    {Key::NumpadStar, "Numpad *"},
+    {Key::NumpadMinus, "Numpad -"},
+    {Key::NumpadPlus, "Numpad Plus"},
+    {Key::NumpadPeriod, "Numpad ."},
     {Key::NumpadEnter, "Numpad Enter"},
 });
 
-constexpr Key offset(Key first, int by) { return static_cast<Key>(static_cast<int>(first) + by); }
-constexpr bool between(Key key, Key first, Key last) { return key >= first && key <= last; }
-constexpr int from(Key key, Key first) { return static_cast<int>(key) - static_cast<int>(first); }
+constexpr Key offset(Key first, int by) {
+  return static_cast<Key>(static_cast<int>(first) + by);
+}
+constexpr bool between(Key key, Key first, Key last) {
+  return key >= first && key <= last;
+}
+constexpr int from(Key key, Key first) {
+  return static_cast<int>(key) - static_cast<int>(first);
+}
 
 std::string lower(std::string_view text) {
   std::string result(text);
@@ -67,7 +97,8 @@ std::string toText(Key key) {
   if (between(key, Key::A, Key::Z)) return std::string(1, static_cast<char>('A' + from(key, Key::A)));
   if (between(key, Key::Digit0, Key::Digit9)) return std::string(1, static_cast<char>('0' + from(key, Key::Digit0)));
   if (between(key, Key::F1, Key::F12)) return std::string("F").append(std::to_string(1 + from(key, Key::F1)));
-  if (between(key, Key::Numpad0, Key::Numpad9)) return std::string("Numpad ").append(std::to_string(from(key, Key::Numpad0)));
+  if (between(key, Key::Numpad0, Key::Numpad9))
+    return std::string("Numpad ").append(std::to_string(from(key, Key::Numpad0)));
   for (const KeyName& entry : kNames) {
     if (entry.key == key) return std::string(entry.name);
   }

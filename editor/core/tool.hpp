@@ -84,8 +84,8 @@ enum class PointerShape { Arrow, Cross, Hand, Move };
 class Tool {
  public:
   virtual ~Tool() = default;
-  [[nodiscard]] virtual std::string id() const = 0;     ///< "draw"; its action is "tool.draw"
-  [[nodiscard]] virtual std::string label() const = 0;  ///< "Draw tree"
+  [[nodiscard]] virtual std::string id() const = 0;                              ///< "draw"; its action is "tool.draw"
+  [[nodiscard]] virtual std::string label() const = 0;                           ///< "Draw tree"
   [[nodiscard]] virtual std::string hint(const ToolContext& context) const = 0;  ///< status bar line
   [[nodiscard]] virtual PointerShape pointerShape() const { return PointerShape::Arrow; }
   /// Whether Alt with a press on a handle is the tool's; elsewhere and otherwise it orbits.

@@ -22,7 +22,9 @@ ToolBox::ToolBox() {
   add(std::make_unique<DeleteTool>());
 }
 
-void ToolBox::add(std::unique_ptr<Tool> tool) { m_tools.push_back(std::move(tool)); }
+void ToolBox::add(std::unique_ptr<Tool> tool) {
+  m_tools.push_back(std::move(tool));
+}
 
 bool ToolBox::activate(ToolContext& context, std::string_view id) {
   const auto found = std::find_if(m_tools.begin(), m_tools.end(), [&](const auto& tool) { return tool->id() == id; });

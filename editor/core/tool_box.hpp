@@ -59,7 +59,7 @@ class ToolBox {
   std::size_t m_active = 0;
   std::unique_ptr<Drag> m_drag;
   bool m_pressed = false;
-  bool m_free = false;  // the drag follows the pointer without a button
+  bool m_free = false;    // the drag follows the pointer without a button
   std::string m_refused;  // why the drag's last preview was not legal
   PointerEvent m_press, m_last;
   Id m_hovered = 0;

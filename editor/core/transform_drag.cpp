@@ -11,7 +11,9 @@ namespace windloom::editor {
 namespace {
 constexpr float kMinScale = 0.01f, kMaxScale = 100.0f;
 
-float angleOf(glm::vec2 way) { return glm::degrees(std::atan2(way.y, way.x)); }
+float angleOf(glm::vec2 way) {
+  return glm::degrees(std::atan2(way.y, way.x));
+}
 }  // namespace
 
 TransformDrag::TransformDrag(const ToolContext& context, TransformKind kind, glm::vec2 pivot, glm::vec2 pressed)
@@ -41,7 +43,9 @@ std::optional<Edit> TransformDrag::update(ToolContext& context, const PointerEve
   return make(context);
 }
 
-std::optional<Edit> TransformDrag::end(ToolContext& context) { return make(context); }
+std::optional<Edit> TransformDrag::end(ToolContext& context) {
+  return make(context);
+}
 
 bool TransformDrag::onKey(ToolContext&, const KeyPress& press) {
   if (press.key == Key::Enter || press.key == Key::NumpadEnter) {

@@ -106,15 +106,20 @@ Result<double> numberFromText(const ParameterInfo& info, std::string_view text) 
 
 Result<ParameterValue> valueFromText(const ParameterInfo& info, std::string_view text) {
   switch (info.type) {
-    case ParameterType::Text: return ParameterValue(std::string(text));
-    case ParameterType::Choice: return choiceFromText(info, text);
-    case ParameterType::Switch: return switchFromText(info, text);
+    case ParameterType::Text:
+      return ParameterValue(std::string(text));
+    case ParameterType::Choice:
+      return choiceFromText(info, text);
+    case ParameterType::Switch:
+      return switchFromText(info, text);
     case ParameterType::Real2:
     case ParameterType::Real3:
-    case ParameterType::Integer2: return vectorFromText(info, text);
+    case ParameterType::Integer2:
+      return vectorFromText(info, text);
     case ParameterType::Real:
     case ParameterType::Integer:
-    case ParameterType::Id: break;
+    case ParameterType::Id:
+      break;
   }
   const Result<double> number = numberFromText(info, text);
   if (!number) return number.error();
@@ -127,8 +132,8 @@ std::string toText(const ParameterInfo& info, const ParameterValue& value) {
     const ParameterInfo& info;
     std::string operator()(float v) const { return number(v); }
     std::string operator()(int v) const {
-      const bool choice = info.type == ParameterType::Choice && v >= 0 &&
-                          static_cast<std::size_t>(v) < info.choices.size();
+      const bool choice =
+          info.type == ParameterType::Choice && v >= 0 && static_cast<std::size_t>(v) < info.choices.size();
       return choice ? std::string(info.choices[static_cast<std::size_t>(v)]) : std::to_string(v);
     }
     std::string operator()(bool v) const { return v ? "on" : "off"; }

@@ -83,6 +83,8 @@ std::unique_ptr<Drag> VortexTool::beginDrag(ToolContext& context, const PointerE
   return std::make_unique<VortexDrag>(snapToGrid(context.settings.snap, *place, press.modifiers));
 }
 
-bool VortexTool::onKey(ToolContext& context, const KeyPress& press) { return turnRound(context, press); }
+bool VortexTool::onKey(ToolContext& context, const KeyPress& press) {
+  return turnRound(context, press);
+}
 
 }  // namespace windloom::editor

@@ -16,7 +16,9 @@ Workspace::Workspace() {
   registerCoreActions(*this);
 }
 
-ToolContext Workspace::context() { return {document, selection, toolSettings, view(), ground}; }
+ToolContext Workspace::context() {
+  return {document, selection, toolSettings, view(), ground};
+}
 
 bool Workspace::pointerPressed(const PointerEvent& pointer) {
   m_pointer = pointer.pixel;
@@ -60,7 +62,9 @@ bool Workspace::wheel(float notches, const PointerEvent& pointer) {
   return true;
 }
 
-void Workspace::pointerLeft() { tools.clearHover(); }
+void Workspace::pointerLeft() {
+  tools.clearHover();
+}
 
 bool Workspace::keyPressed(const KeyPress& press) {
   ToolContext tool = context();
@@ -76,7 +80,9 @@ bool Workspace::keyPressed(const KeyPress& press) {
   return actions.dispatch(press);
 }
 
-void Workspace::keyReleased(Key key) { navigator.key(key, false); }
+void Workspace::keyReleased(Key key) {
+  navigator.key(key, false);
+}
 
 void Workspace::focusLost() {
   ToolContext tool = context();
@@ -85,7 +91,9 @@ void Workspace::focusLost() {
   navigator.cancel();
 }
 
-void Workspace::tick(double seconds, Modifiers held) { navigator.tick(camera, seconds, held); }
+void Workspace::tick(double seconds, Modifiers held) {
+  navigator.tick(camera, seconds, held);
+}
 
 bool Workspace::apply(const Edit& edit) {
   ToolContext tool = context();
@@ -140,7 +148,9 @@ void Workspace::writeClipboardText(const std::string& text) {
   if (writeClipboard) writeClipboard(text);
 }
 
-std::string Workspace::clipboardText() const { return readClipboard ? readClipboard() : m_clipboard; }
+std::string Workspace::clipboardText() const {
+  return readClipboard ? readClipboard() : m_clipboard;
+}
 
 void Workspace::frame(std::span<const Id> ids) {
   const Project& project = document.project();

@@ -96,11 +96,11 @@ class Workspace {
 
 /// Adds file, edit, select, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
 /// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
-/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked; graph.extrude graph.merge
-/// graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all graph.isolate graph.lock graph.unlock_all
-/// graph.strength_up graph.strength_down graph.radius_up graph.radius_down; tool.select tool.move tool.rotate
-/// tool.scale tool.draw tool.obstacle tool.vortex tool.probe tool.delete tool.cancel; view.frame view.frame_all view.top
-/// view.front view.side view.orthographic; snap.grid snap.angle snap.points.
+/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked; graph.extrude
+/// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
+/// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
+/// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.probe tool.delete tool.cancel;
+/// view.frame view.frame_all view.top view.front view.side view.orthographic; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

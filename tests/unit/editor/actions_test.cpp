@@ -7,7 +7,9 @@
 namespace windloom::editor {
 namespace {
 
-Shortcut key(const char* text) { return parseShortcut(text).value(); }
+Shortcut key(const char* text) {
+  return parseShortcut(text).value();
+}
 
 struct Table {
   ActionTable actions;
@@ -17,7 +19,8 @@ struct Table {
     add("edit.undo", "Undo", {key("Ctrl+Z")}, true);
     add("edit.redo", "Redo", {key("Ctrl+Shift+Z"), key("Ctrl+Y")}, true);
     add("tool.draw", "Draw tree", {key("D")}, false);
-    Action guarded{.id = "edit.delete", .label = "Delete", .category = "Edit", .help = "Deletes", .shortcuts = {key("X")}};
+    Action guarded{
+        .id = "edit.delete", .label = "Delete", .category = "Edit", .help = "Deletes", .shortcuts = {key("X")}};
     guarded.run = [this] { ran.push_back("edit.delete"); };
     guarded.enabled = [this] { return allowed; };
     actions.add(std::move(guarded));
@@ -100,7 +103,8 @@ TEST(ActionTable, KeymapReplacesShortcutsAndIsWrittenBack) {
 
 TEST(ActionTable, KeymapReportsWhatIsWrongAndTakesTheRest) {
   Table t;
-  const Status status = t.actions.applyKeymap(R"({"no.such": "A", "edit.undo": "Foo+Z", "tool.draw": "K", "edit.redo": 5})");
+  const Status status =
+      t.actions.applyKeymap(R"({"no.such": "A", "edit.undo": "Foo+Z", "tool.draw": "K", "edit.redo": 5})");
   ASSERT_FALSE(status);
   EXPECT_EQ(status.error().problems.size(), 3u);
   EXPECT_EQ(t.actions.shortcutText("tool.draw"), "K");

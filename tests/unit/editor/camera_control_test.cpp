@@ -47,8 +47,8 @@ TEST(CameraControl, PoseAndMappingAgreeOnTheUpperEdge) {
   const glm::vec3 above = camera.target + pose.up * camera.distance * std::tan(glm::radians(0.5f * pose.fieldOfView));
   EXPECT_NEAR(ViewMapping(camera, kView).toScreen(above)->y, 0.0f, 0.05f);
   camera.orthographic = true;
-  EXPECT_NEAR(ViewMapping(camera, kView).toScreen(camera.target + camera.up() * 0.5f * pose.orthographicHeight)->y, 0.0f,
-              0.05f);
+  EXPECT_NEAR(ViewMapping(camera, kView).toScreen(camera.target + camera.up() * 0.5f * pose.orthographicHeight)->y,
+              0.0f, 0.05f);
 }
 
 TEST(CameraControl, TopViewHasXRightAndZDown) {
@@ -78,7 +78,7 @@ TEST(CameraControl, ZoomKeepsTheGroundUnderThePointer) {
     const glm::vec2 before = *ViewMapping(camera, kView).toGround(pixel, kFlat);
     for (const float notches : {3.0f, -2.0f}) {
       const EditorCamera zoomed = zoomTo(camera, notches, pixel, kView, kFlat);
-      EXPECT_EQ(zoomed.distance < camera.distance, notches > 0);
+      EXPECT_EQ(zoomed.distance<camera.distance, notches> 0);
       expectNear(*ViewMapping(zoomed, kView).toGround(pixel, kFlat), before, 0.02f);
     }
   }

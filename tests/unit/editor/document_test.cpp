@@ -17,7 +17,9 @@ Edit renamed(const std::string& name) {
   return edit;
 }
 
-void writeText(const std::filesystem::path& path, const std::string& text) { std::ofstream(path) << text; }
+void writeText(const std::filesystem::path& path, const std::string& text) {
+  std::ofstream(path) << text;
+}
 
 }  // namespace
 
@@ -115,8 +117,8 @@ TEST(Document, FailedOpenKeepsWhatWasOpen) {
   Document document;
   ASSERT_TRUE(document.apply(renamed("Work")));
   const Project before = document.project();
-  for (const char* name : {"missing.wind.json", "text.wind.json", "other.wind.json", "newer.wind.json",
-                           "dangling.wind.json"}) {
+  for (const char* name :
+       {"missing.wind.json", "text.wind.json", "other.wind.json", "newer.wind.json", "dangling.wind.json"}) {
     const Status status = document.open(folder / name);
     ASSERT_FALSE(status) << name;
     EXPECT_NE(status.error().text().find(name), std::string::npos) << status.error().text();

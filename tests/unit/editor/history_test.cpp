@@ -18,7 +18,9 @@ Project withPoints(Project project, std::size_t points) {
   return project;
 }
 
-std::size_t pointsOf(const History& history) { return history.current().graph->points.size(); }
+std::size_t pointsOf(const History& history) {
+  return history.current().graph->points.size();
+}
 
 }  // namespace
 

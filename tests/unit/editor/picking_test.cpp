@@ -6,7 +6,9 @@
 namespace windloom::editor {
 namespace {
 
-std::vector<Hit> hitsAt(Bench& b, glm::vec2 place) { return b.w.context().hits(b.pixel(place)); }
+std::vector<Hit> hitsAt(Bench& b, glm::vec2 place) {
+  return b.w.context().hits(b.pixel(place));
+}
 
 }  // namespace
 

@@ -15,12 +15,12 @@ TEST(ObstacleTool, DragMakesACircleFromItsCentre) {
   EXPECT_EQ(b.steps(), 1u);
 }
 
-TEST(ObstacleTool, KeyBChangesToABoxDuringTheDrag) {
+TEST(ObstacleTool, KeyCChangesToABoxDuringTheDrag) {
   Bench b;
   b.key("O");
   b.press({10, 5});
   b.move({13, 9});
-  EXPECT_TRUE(b.key("B"));
+  EXPECT_TRUE(b.key("C"));
   b.release({13, 9});
   const Obstacle& obstacle = b.project().obstacles->front();
   EXPECT_EQ(obstacle.shape, ObstacleShape::Box);
