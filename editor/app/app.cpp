@@ -1,5 +1,6 @@
 #include "editor/app/app.hpp"
 
+#include <imgui_internal.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -33,7 +34,7 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
   options.width = line.width.value_or(int(preferences.number("window.width", options.width)));
   options.height = line.height.value_or(int(preferences.number("window.height", options.height)));
   options.maximised = !line.width && preferences.number("window.maximised", 0) != 0;
-  auto window = Window::create(options, line.screenshot.empty());
+  auto window = Window::create(options);
   if (!window) return window.error();
   std::unique_ptr<App> app(new App(line, std::move(window).value()));
   app->m_preferencesFile = preferencesFile;
@@ -166,7 +167,7 @@ PanelContext App::panelContext() { return {m_workspace, m_live->session(), m_liv
 
 void App::passKeys() {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool busy = io.WantTextInput || m_dialogs.open() || ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup);
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup), busy = io.WantTextInput || m_dialogs.open() || popup;
   for (const InputEvent& event : m_window->events()) {
     if (event.kind == InputEvent::Kind::Focus && event.action == 0) {
       m_workspace.focusLost();
@@ -177,6 +178,8 @@ void App::passKeys() {
     if (key == Key::None) continue;
     if (event.action == GLFW_RELEASE)
       m_workspace.keyReleased(key);
+    else if (key == Key::Escape && popup && !m_dialogs.open())
+      ImGui::ClosePopupToLevel(0, false);  // ImGui leaves menus open
     else if (!busy)
       m_workspace.keyPressed({key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT});
   }
@@ -193,6 +196,7 @@ void App::tellMap() {
   if (!m_look.map.on()) return;
   UiMap& map = m_look.map;
   const Document& document = m_workspace.document;
+  map.fact("frame", std::to_string(m_frames));
   map.fact("title", m_title);
   map.fact("dirty", document.dirty() ? "yes" : "no");
   map.fact("steps", std::to_string(document.history().position()));
@@ -201,6 +205,8 @@ void App::tellMap() {
   map.fact("selection", describeIds(document.project(), m_workspace.selection.ids()));
   map.fact("dragging", m_workspace.tools.busy() ? "yes" : "no");
   map.fact("typing", ImGui::GetIO().WantTextInput ? "yes" : "no");
+  const ImVec2 pointer = ImGui::GetIO().MousePos;
+  map.fact("pointer", std::to_string(int(pointer.x)) + " " + std::to_string(int(pointer.y)));
   const EditorCamera& camera = m_workspace.camera;
   map.fact("view", camera.orthographic && camera.pitch == 90 ? "top" : camera.orthographic ? "orthographic" : "perspective");
   map.fact("scene", m_live->session() ? "yes" : "no");
@@ -232,7 +238,8 @@ void App::frame() {
 }
 
 void App::drawPicture(double seconds) {
-  m_live->follow(m_workspace.document);
+  // The first frame shows the window at once; the scene's programs are built behind it.
+  if (m_frames > 0) m_live->follow(m_workspace.document);
   m_live->advance(seconds);
   bool drawn = false;
   if (Session* session = m_live->session()) {
@@ -246,11 +253,14 @@ void App::drawPicture(double seconds) {
   m_window->paint();
   if (!m_line.screenshot.empty() && m_frames + 1 >= m_line.frames) finishScreenshot();
   m_window->swap();
-  if (m_frames == 0) {
-    const double took = std::chrono::duration<double>(Clock::now() - m_started).count();
-    logInfo("First frame after " + std::to_string(int(took * 1000)) + " ms");
-  }
+  if (m_frames == 0) tellStart("Window");
+  if (drawn && !std::exchange(m_pictureTold, true)) tellStart("Picture");
   m_live->frameDone(seconds, drawn);
+}
+
+void App::tellStart(const char* what) const {
+  const double took = std::chrono::duration<double>(Clock::now() - m_started).count();
+  logInfo(std::string(what) + " after " + std::to_string(int(took * 1000)) + " ms");
 }
 
 void App::finishScreenshot() {

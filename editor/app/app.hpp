@@ -55,10 +55,14 @@ class App {
   void drawAbout();
   void drawPicture(double seconds);
   void finishScreenshot();
+  void tellStart(const char* what) const;
   void openDropped();
   void tellMap();
   [[nodiscard]] double waitSeconds() const;
   [[nodiscard]] PanelContext panelContext();
+
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point m_started = Clock::now();  // first of all, so that it counts the window's opening, too
 
   CommandLine m_line;
   std::filesystem::path m_preferencesFile;
@@ -78,10 +82,9 @@ class App {
   ExportPanel m_export;
   CommandPalette m_palette;
   Layout m_layout;
-  bool m_helpOpen = false, m_aboutOpen = false, m_lookChanged = false;
+  bool m_helpOpen = false, m_aboutOpen = false, m_lookChanged = false, m_pictureTold = false;
 
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point m_started = Clock::now(), m_lastFrame = Clock::now();
+  Clock::time_point m_lastFrame = Clock::now();
   double m_idleSeconds = 0;  // since something last happened
   int m_frames = 0;
   std::string m_title;

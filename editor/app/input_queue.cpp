@@ -1,8 +1,7 @@
 #include "editor/app/input_queue.hpp"
 
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <imgui.h>
-#include <backends/imgui_impl_glfw.h>
 
 #include <algorithm>
 
@@ -83,30 +82,6 @@ std::vector<InputEvent> InputQueue::takeFrame(bool holdKeys) {
     m_waiting.pop_front();
   }
   return frame;
-}
-
-void InputFeeder::before(GLFWwindow* window, const std::vector<InputEvent>& events) {
-  for (const InputEvent& event : events) switch (event.kind) {
-      case InputEvent::Kind::MouseMove:
-        m_x = event.x;
-        m_y = event.y;
-        break;
-      case InputEvent::Kind::MouseButton:
-        if (event.code < int(m_down.size())) m_down[std::size_t(event.code)] = event.action != GLFW_RELEASE;
-        break;
-      case InputEvent::Kind::Wheel: ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y); break;
-      case InputEvent::Kind::Key:
-        ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.action, event.modifiers);
-        break;
-      case InputEvent::Kind::Text: ImGui_ImplGlfw_CharCallback(window, unsigned(event.code)); break;
-      case InputEvent::Kind::Focus: ImGui_ImplGlfw_WindowFocusCallback(window, event.action); break;
-    }
-}
-
-void InputFeeder::after() const {
-  ImGuiIO& io = ImGui::GetIO();
-  io.MousePos = ImVec2(float(m_x), float(m_y));
-  for (std::size_t i = 0; i < m_down.size(); ++i) io.MouseDown[i] = m_down[i];
 }
 
 }  // namespace windloom::editor

@@ -3,11 +3,8 @@
 // the state of a button once a frame, so a click that begins and ends between two frames, or a drag that ends
 // elsewhere, would be seen wrongly. A frame gets events only up to the first that would hide another.
 
-#include <array>
 #include <deque>
 #include <vector>
-
-struct GLFWwindow;
 
 namespace windloom::editor {
 
@@ -31,18 +28,6 @@ class InputQueue {
 
  private:
   std::deque<InputEvent> m_waiting;
-};
-
-/// Passes a frame's events to Dear ImGui's GLFW backend. Call `before` ahead of ImGui_ImplGlfw_NewFrame and
-/// `after` behind it, since that one overwrites the mouse with its state of now.
-class InputFeeder {
- public:
-  void before(GLFWwindow* window, const std::vector<InputEvent>& events);
-  void after() const;
-
- private:
-  double m_x = -1e9, m_y = -1e9;
-  std::array<bool, 5> m_down{};
 };
 
 }  // namespace windloom::editor

@@ -1,4 +1,5 @@
 #include "editor/app/app.hpp"
+#include "editor/app/window.hpp"
 #include "engine/core/log.hpp"
 
 int main(int argc, char** argv) {
@@ -9,6 +10,7 @@ int main(int argc, char** argv) {
   auto app = editor::App::create(*line);
   if (!app) {
     logError(app.error().text());
+    if (line->screenshot.empty()) editor::showTrouble(app.error().text());
     return app.error().kind == ErrorKind::Machine ? 3 : 1;
   }
   return (*app)->run();

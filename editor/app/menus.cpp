@@ -102,7 +102,7 @@ void drawMenuBar(Workspace& workspace) {
     markItem(std::string("menu/") + menu);
     if (!open) continue;
     for (const Action& action : actions.all()) {
-      if (action.category != menu) continue;
+      if (action.category != menu || action.id == "file.quit") continue;
       actionItem(actions, action);
       if (action.id == "file.new") templatesMenu(workspace);
       if (action.id == "file.open") {
@@ -110,6 +110,10 @@ void drawMenuBar(Workspace& workspace) {
         samplesMenu(workspace);
         ImGui::Separator();
       }
+    }
+    if (const Action* quit = actions.find("file.quit"); quit && menu == kMenus[0]) {
+      ImGui::Separator();
+      actionItem(actions, *quit);
     }
     ImGui::EndMenu();
   }

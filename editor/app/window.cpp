@@ -9,13 +9,13 @@
 
 #include <algorithm>
 
-#include "engine/core/log.hpp"
-
 namespace windloom::editor {
 
 namespace {
 
 constexpr const char* kNeeded = "Windloom's editor needs OpenGL 4.5 and a display.";
+
+constexpr double kMessageSeconds = 15;
 
 std::string lastGlfwError() {
   const char* text = nullptr;
@@ -34,8 +34,8 @@ GLFWwindow* openWindow(const WindowOptions& options, int major, int minor) {
   return glfwCreateWindow(options.width, options.height, "Windloom", nullptr, nullptr);
 }
 
-/// A window with nothing but the message, for machines whose OpenGL is old; gone when closed.
-void explainInWindow(GLFWwindow* window, const std::string& message) {
+/// Draws the message in a window of any OpenGL from 3.0 on until it is closed.
+void runMessageWindow(GLFWwindow* window, const std::string& message) {
   Look look;
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
@@ -45,7 +45,9 @@ void explainInWindow(GLFWwindow* window, const std::string& message) {
   loadFonts(look);
   ImGui_ImplGlfw_InitForOpenGL(window, true);
   if (ImGui_ImplOpenGL3_Init("#version 130")) {
-    while (!glfwWindowShouldClose(window)) {
+    // Also ends by itself: the message is on standard error as well, and a script must not wait for ever.
+    const double end = glfwGetTime() + kMessageSeconds;
+    while (!glfwWindowShouldClose(window) && glfwGetTime() < end) {
       glfwWaitEventsTimeout(0.1);
       ImGui_ImplOpenGL3_NewFrame();
       ImGui_ImplGlfw_NewFrame();
@@ -67,7 +69,7 @@ void explainInWindow(GLFWwindow* window, const std::string& message) {
 }
 
 /// Why there is no OpenGL 4.5 here, with what there is instead.
-Error describeOldOpenGl(const std::string& reason, bool explain) {
+Error describeOldOpenGl(const std::string& reason) {
   GLFWwindow* window = openWindow({.width = 640, .height = 220}, 1, 0);
   std::string found = "no OpenGL at all";
   if (window) {
@@ -81,10 +83,6 @@ Error describeOldOpenGl(const std::string& reason, bool explain) {
   std::string message = std::string(kNeeded) + " Found: " + found + " (" + reason +
                         "). A newer graphics driver may help; the command line (windloom validate, sample, bake) works "
                         "without OpenGL.";
-  if (window && explain && epoxy_gl_version() >= 30) {
-    logError(message);
-    explainInWindow(window, message);
-  }
   if (window) glfwDestroyWindow(window);
   return makeError(ErrorKind::Machine, std::move(message));
 }
@@ -93,19 +91,29 @@ Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindow
 
 }  // namespace
 
-Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options, bool explain) {
+Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   if (!glfwInit())
     return makeError(ErrorKind::Machine, std::string(kNeeded) + " No display could be opened: " + lastGlfwError() +
                                              ". The command line (windloom render, bake) works without one.");
   GLFWwindow* window = openWindow(options, 4, 5);
   if (!window) {
-    Error error = describeOldOpenGl(lastGlfwError(), explain);
+    Error error = describeOldOpenGl(lastGlfwError());
     glfwTerminate();
     return error;
   }
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
   return std::unique_ptr<Window>(new Window(window));
+}
+
+void showTrouble(const std::string& message) {
+  if (!glfwInit()) return;
+  if (GLFWwindow* window = openWindow({.width = 640, .height = 220}, 1, 0)) {
+    glfwMakeContextCurrent(window);
+    if (epoxy_gl_version() >= 30) runMessageWindow(window, message);
+    glfwDestroyWindow(window);
+  }
+  glfwTerminate();
 }
 
 Window::Window(GLFWwindow* window) : m_window(window) {
@@ -126,6 +134,30 @@ Window::~Window() {
   ImGui::DestroyContext();
   glfwDestroyWindow(m_window);
   glfwTerminate();
+}
+
+void InputFeeder::before(GLFWwindow* window, const std::vector<InputEvent>& events) {
+  for (const InputEvent& event : events) switch (event.kind) {
+      case InputEvent::Kind::MouseMove:
+        m_x = event.x;
+        m_y = event.y;
+        break;
+      case InputEvent::Kind::MouseButton:
+        if (event.code < int(m_down.size())) m_down[std::size_t(event.code)] = event.action != GLFW_RELEASE;
+        break;
+      case InputEvent::Kind::Wheel: ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y); break;
+      case InputEvent::Kind::Key:
+        ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.action, event.modifiers);
+        break;
+      case InputEvent::Kind::Text: ImGui_ImplGlfw_CharCallback(window, unsigned(event.code)); break;
+      case InputEvent::Kind::Focus: ImGui_ImplGlfw_WindowFocusCallback(window, event.action); break;
+    }
+}
+
+void InputFeeder::after() const {
+  ImGuiIO& io = ImGui::GetIO();
+  io.MousePos = ImVec2(float(m_x), float(m_y));
+  for (std::size_t i = 0; i < m_down.size(); ++i) io.MouseDown[i] = m_down[i];
 }
 
 void Window::installCallbacks() {

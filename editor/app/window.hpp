@@ -1,6 +1,7 @@
 #pragma once
 // The window: GLFW, its OpenGL context, Dear ImGui on top, and events in order.
 
+#include <array>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
@@ -21,11 +22,22 @@ struct WindowOptions {
   bool maximised = false;
 };
 
+/// Passes a frame's events to Dear ImGui's GLFW backend. Call `before` ahead of ImGui_ImplGlfw_NewFrame and
+/// `after` behind it, since that one overwrites the mouse with its state of now.
+class InputFeeder {
+ public:
+  void before(GLFWwindow* window, const std::vector<InputEvent>& events);
+  void after() const;
+
+ private:
+  double m_x = -1e9, m_y = -1e9;
+  std::array<bool, 5> m_down{};
+};
+
 class Window {
  public:
   /// Fails with Machine: no display, or no OpenGL 4.5; the message says what was found and what is needed.
-  /// Where there is a display it is also shown in a plain window until that is closed, if `explain`.
-  static Result<std::unique_ptr<Window>> create(const WindowOptions& options, bool explain);
+  static Result<std::unique_ptr<Window>> create(const WindowOptions& options);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
@@ -78,5 +90,9 @@ class Window {
   std::vector<InputEvent> m_events;
   std::vector<std::filesystem::path> m_drops;
 };
+
+/// A small window with nothing but the message until it is closed, for when the editor's own can't be opened. Does
+/// nothing where there is no display or no OpenGL 3.0.
+void showTrouble(const std::string& message);
 
 }  // namespace windloom::editor

@@ -54,6 +54,8 @@ void Outliner::addTrees(const Project& project) {
       open.pop_back();
       const auto found = from.find(point);
       if (found == from.end()) continue;
+      // Only branching indents: a long chain stays readable.
+      const int below = found->second.size() > 1 ? depth + 1 : depth;
       for (const std::size_t index : found->second) {
         if (listed[index]) continue;
         listed[index] = true;
@@ -62,7 +64,7 @@ void Outliner::addTrees(const Project& project) {
         tree.hidden = tree.hidden && arrow.hidden;
         tree.muted = tree.muted && arrow.muted;
         tree.locked = tree.locked && arrow.locked;
-        open.emplace_back(arrow.to, depth + 1);
+        open.emplace_back(arrow.to, below);
         if (m_closed.contains(root)) continue;
         m_rows.push_back({.kind = Row::Kind::Item, .id = arrow.id, .depth = depth,
                           .symbol = icons::icon(icons::kArrow, "->"), .label = named(arrow.name, "Arrow", arrow.id),

@@ -14,8 +14,12 @@ namespace {
 constexpr double kMessageSeconds = 8;
 
 std::string grouped(long long number) {
-  std::string text = std::to_string(number);
-  for (int i = int(text.size()) - 3; i > 0; i -= 3) text.insert(std::size_t(i), " ");
+  const std::string digits = std::to_string(number);
+  std::string text;
+  for (std::size_t i = 0; i < digits.size(); ++i) {
+    if (i > 0 && (digits.size() - i) % 3 == 0) text += ' ';
+    text += digits[i];
+  }
   return text;
 }
 
@@ -41,22 +45,23 @@ std::vector<Item> machineItems(const PanelContext& context) {
     items.push_back({"grid", grid,
                      coarse ? "The live view runs on a coarser grid to hold real time; sample and bake use the project's."
                             : "The wind runs on the project's grid."});
-    items.push_back({"solver", "solver " + fixed(status.stepMs, 1) + " ms",
-                     "Time of a solver step. Divergence left: " +
+    items.push_back({"solver", std::string("solver ") + fixed(status.stepMs, 1) + " ms",
+                     std::string("Time of a solver step. Divergence left: ") +
                          fixed(status.wind.divergenceBefore > 0
                                    ? status.wind.divergenceAfter / status.wind.divergenceBefore * 100
                                    : 0.0,
                                2) +
                          "%, fastest air " + fixed(status.wind.maxSpeed, 1) + " m/s, " +
                          fixed(status.wind.cfl, 1) + " cells a step"});
-    items.push_back({"frame", "frame " + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
-                     "Drawing on the GPU: " + fixed(status.frame.gpuMs, 1) + " ms"});
+    items.push_back({"frame", std::string("frame ") + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
+                     std::string("Drawing on the GPU: ") + fixed(status.frame.gpuMs, 1) + " ms"});
     items.push_back({"blades", millions(status.frame.bladesDrawn) + " / " + millions(status.frame.bladesTotal) + " blades",
                      "Grass blades drawn of those that the project asks for"});
-    items.push_back({"quality", facts.fullQuality ? "full quality" : "quality " + fixed(double(facts.quality) * 100, 0) + "%",
+    items.push_back({"quality", facts.fullQuality ? "full quality" : std::string("quality ") + fixed(double(facts.quality) * 100, 0) + "%",
                      "How much of the grass is drawn to keep the frame time; View > Full quality draws all of it"});
   }
-  items.push_back({"gpu", facts.gpu, "The graphics driver"});
+  // "llvmpipe (LLVM 15.0.6, 256 bits)", "NVIDIA H200/PCIe/SSE2": what comes first says which it is.
+  items.insert(items.begin(), {"gpu", facts.gpu.substr(0, facts.gpu.find_first_of("(/")), facts.gpu});
   return items;
 }
 
@@ -71,15 +76,19 @@ void StatusBar::draw(PanelContext& context) {
   const Palette& palette = look().palette;
   const bool fresh = ImGui::GetTime() - m_messageAt < kMessageSeconds && !workspace.message().text.empty();
 
+  ImFont* const small = look().small;
   // The machine's part is laid out from the right; whole items are left out where the window is narrow.
-  const float gap = scaled(14), full = ImGui::GetContentRegionAvail().x;
+  const float gap = scaled(12), full = ImGui::GetContentRegionAvail().x;
   std::vector<Item> items = machineItems(context);
+  const auto textWidth = [small](const std::string& text) {
+    return small->CalcTextSizeA(small->FontSize, 1e9f, 0, text.c_str()).x;
+  };
   const auto widthOf = [&] {
     float width = 0;
-    for (const Item& item : items) width += ImGui::CalcTextSize(item.text.c_str()).x + gap;
+    for (const Item& item : items) width += textWidth(item.text) + gap;
     return width;
   };
-  while (items.size() > 1 && widthOf() > full * 0.72f) items.pop_back();
+  while (items.size() > 1 && widthOf() > full * 0.68f) items.pop_back();
   const float left = full - widthOf() - gap;
 
   ImGui::PushClipRect(ImGui::GetCursorScreenPos(),
@@ -90,21 +99,25 @@ void StatusBar::draw(PanelContext& context) {
     ImGui::TextColored(colour, "%s", workspace.message().text.c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", workspace.message().text.c_str());
   } else {
-    ImGui::TextDisabled("%s", workspace.tools.hint(workspace.context()).c_str());
+    const std::string hint = workspace.tools.hint(workspace.context());
+    ImGui::TextDisabled("%s", hint.c_str());
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
   }
   ImGui::PopClipRect();
   markItem("status/message");
   look().map.fact("message", fresh ? workspace.message().text : "");
 
   float x = left + gap;
+  ImGui::PushFont(small);
   for (const Item& item : items) {
     ImGui::SameLine(x + gap);
     ImGui::TextColored(palette.muted, "%s", item.text.c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.help.c_str());
     markItem("status/" + item.name);
     look().map.fact("status." + item.name, item.text);
-    x += ImGui::CalcTextSize(item.text.c_str()).x + gap;
+    x += textWidth(item.text) + gap;
   }
+  ImGui::PopFont();
 }
 
 }  // namespace windloom::editor

@@ -137,7 +137,7 @@ std::optional<RowChange> valueWidget(const InspectorRow& row, const std::string&
     case ParameterType::Real2:
     case ParameterType::Integer2: return vectorRow(row, name);
     case ParameterType::Real3:
-      return row.info.key.ends_with("olour") ? colourRow(row, name) : vectorRow(row, name);
+      return row.info.label.find("olour") != std::string_view::npos ? colourRow(row, name) : vectorRow(row, name);
     case ParameterType::Choice: return choiceRow(row, name);
     case ParameterType::Switch: return switchRow(row, name);
     case ParameterType::Text: return textRow(row, name);

@@ -44,6 +44,7 @@ class Editor:
                                             env=self.environment, stdout=log, stderr=log)
         self.window = None
         self.origin = (0, 0)
+        self.nudges = 0
         self.wait("the window", lambda: self.fact("title") != "")
         self.find_window()
 
@@ -67,14 +68,18 @@ class Editor:
         return self.read_map()[0].get(name, "")
 
     def centre(self, name):
-        """Middle of a named rectangle in window pixels; waits until it is there."""
-        self.wait(f"'{name}' on the screen", lambda: name in self.read_map()[1])
-        x, y, width, height = self.read_map()[1][name]
-        return x + width / 2, y + height / 2
+        """Middle of a named rectangle in window pixels; waits until it is there and stays where it is."""
+        seen = {}  # by frame: a window that just opened may still find its place
 
-    def rectangle(self, name):
-        self.wait(f"'{name}' on the screen", lambda: name in self.read_map()[1])
-        return self.read_map()[1][name]
+        def rests():
+            facts, rectangles = self.read_map()
+            seen[facts.get("frame")] = rectangles.get(name)
+            last = list(seen.values())[-3:]
+            return len(last) == 3 and last[0] is not None and len(set(last)) == 1
+
+        self.wait(f"'{name}' on the screen", rests)
+        x, y, width, height = list(seen.values())[-1]
+        return x + width / 2, y + height / 2
 
     def wait(self, what, condition, seconds=PATIENCE_S):
         end = time.monotonic() + seconds
@@ -108,21 +113,42 @@ class Editor:
         self.origin = (int(geometry["X"]), int(geometry["Y"]))
 
     def move(self, place):
-        self.xdotool("mousemove", round(self.origin[0] + place[0]), round(self.origin[1] + place[1]))
+        x, y = round(place[0]), round(place[1])
+        self.xdotool("mousemove", self.origin[0] + x, self.origin[1] + y)
+        return f"{x} {y}"
+
+    def point_at(self, place):
+        """Moves there and waits until the editor has seen it, so that the next press is there."""
+        there = self.move(place)
+        moved = time.monotonic()
+
+        def seen():
+            nonlocal moved
+            if self.fact("pointer") == there:
+                return True
+            if time.monotonic() - moved > 3:  # a warp of the pointer may go by without an event: nudge it
+                self.move((place[0] + 1, place[1]))
+                self.move(place)
+                self.nudges += 1
+                moved = time.monotonic()
+            return False
+
+        self.wait(f"the pointer at {there}", seen)
 
     def click(self, place, button=1):
-        self.move(place)
+        self.point_at(place)
         self.xdotool("click", button)
 
     def press(self, name):
         self.click(self.centre(name))
 
     def drag(self, start, end, steps=6):
-        self.move(start)
+        self.point_at(start)
         self.xdotool("mousedown", 1)
-        for i in range(1, steps + 1):
+        for i in range(1, steps):
             part = i / steps
             self.move((start[0] + (end[0] - start[0]) * part, start[1] + (end[1] - start[1]) * part))
+        self.point_at(end)
         self.xdotool("mouseup", 1)
 
     def key(self, *keys):
@@ -133,8 +159,7 @@ class Editor:
 
     def choose_path(self, path):
         """Types a path into the open file dialog and accepts it."""
-        self.press("files/name")
-        self.wait_fact("typing", "yes")
+        self.wait_fact("typing", "yes")  # its name field takes the keyboard by itself
         self.key("ctrl+a")
         self.type(str(path))
         self.key("Return")
