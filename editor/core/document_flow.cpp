@@ -5,6 +5,16 @@
 
 namespace windloom::editor {
 namespace fs = std::filesystem;
+namespace {
+
+/// A name such as "gusts v1.2" has no extension, whatever follows its point.
+fs::path withExtension(fs::path path) {
+  if (path.extension() == ".json") return path;
+  path += path.extension() == ".wind" ? ".json" : ".wind.json";
+  return path;
+}
+
+}  // namespace
 
 void DocumentFlow::requestNew(Project start) {
   m_start = std::move(start);
@@ -94,7 +104,7 @@ void DocumentFlow::answerPath(fs::path path) {
     m_openPath = std::move(path);
     proceed();
   } else if (m_prompt == Prompt::ChooseSavePath) {
-    if (!path.has_extension()) path += ".wind.json";
+    path = withExtension(std::move(path));
     std::error_code ignored;
     const bool other = path != m_document.path();
     m_path = std::move(path);

@@ -35,7 +35,7 @@ class DocumentFlow {
   [[nodiscard]] Prompt prompt() const { return m_prompt; }
   [[nodiscard]] const std::filesystem::path& pendingPath() const { return m_path; }
   void answerSaveChanges(SaveAnswer answer);
-  /// Adds ".wind.json" to a save path without an extension.
+  /// Adds ".wind.json" to a save path that doesn't end in ".json".
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
   void cancel();                         ///< from any prompt; nothing happens

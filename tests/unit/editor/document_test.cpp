@@ -175,6 +175,17 @@ TEST(DocumentFlow, SaveOnQuitAsksForAPathAndThenQuits) {
   EXPECT_TRUE(std::filesystem::exists(folder / "meadow.wind.json"));
 }
 
+TEST(DocumentFlow, SavePathGetsItsExtensionOnce) {
+  TempFolder folder;
+  for (const auto& [typed, written] : {std::pair("a v1.2", "a v1.2.wind.json"), std::pair("b.wind", "b.wind.json"),
+                                       std::pair("c.wind.json", "c.wind.json"), std::pair("d.json", "d.json")}) {
+    Flow f;
+    f.flow.requestSaveAs();
+    f.flow.answerPath(folder / typed);
+    EXPECT_EQ(f.document.path(), folder / written);
+  }
+}
+
 TEST(DocumentFlow, CancelledPathCancelsTheQuit) {
   Flow f;
   f.edit();
