@@ -1,5 +1,7 @@
 #include "engine/gpu/buffer.hpp"
 
+#include <vector>
+
 #include "engine/gpu/object_label.hpp"
 
 namespace windloom::gpu {
@@ -13,6 +15,13 @@ Result<Buffer> Buffer::create(std::string_view label, std::size_t bytes, BufferU
   buffer.m_bytes = bytes;
   buffer.m_use = use;
   labelObject(BufferKind::kLabel, name, label);
+  // A dynamic buffer starts from zeros of the CPU: after a clear on the GPU, NVIDIA's driver (580.159) loses a write of
+  // 100 KB that follows at once.
+  std::vector<char> zeros;
+  if (data == nullptr && use == BufferUse::Dynamic) {
+    zeros.resize(bytes);
+    data = zeros.data();
+  }
   forgetErrors();
   glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data,
                        use == BufferUse::Dynamic ? GL_DYNAMIC_STORAGE_BIT : 0);
