@@ -97,8 +97,8 @@ constexpr auto integer(std::string_view key, std::string_view label, std::string
                        std::string_view help) {
   constexpr bool pair = std::is_same_v<detail::ValueOf<Member>, glm::ivec2>;
   using Stored = std::conditional_t<pair, glm::ivec2, int>;
-  return detail::describe<Member, Stored>({key, label, unit, help, pair ? ParameterType::Integer2 : ParameterType::Integer,
-                                           double(min), double(max), double(step)});
+  constexpr ParameterType type = pair ? ParameterType::Integer2 : ParameterType::Integer;
+  return detail::describe<Member, Stored>({key, label, unit, help, type, double(min), double(max), double(step)});
 }
 
 template <auto Member>
@@ -109,7 +109,8 @@ constexpr auto toggle(std::string_view key, std::string_view label, std::string_
 template <auto Member>
 constexpr auto choice(std::string_view key, std::string_view label, std::span<const std::string_view> names,
                       std::string_view help) {
-  return detail::describe<Member, int>({key, label, "", help, ParameterType::Choice, 0, double(names.size()) - 1, 1, names});
+  const double last = double(names.size()) - 1;
+  return detail::describe<Member, int>({key, label, "", help, ParameterType::Choice, 0, last, 1, names});
 }
 
 template <auto Member>

@@ -40,7 +40,7 @@ struct Arrow {
   float strength = 8.0f;      ///< m/s (Speed) or m/s^2 (Force)
   float radius = 4.0f;        ///< m; the Gaussian fall-off has sigma = radius / 2 and is cut at radius
   float response = 0.25f;     ///< s; Speed only
-  float swirl = 0.0f;         ///< m/s around the arrow's end point, positive from +X towards +Z, greatest at half the radius
+  float swirl = 0.0f;         ///< m/s around the end point, positive from +X towards +Z, greatest at half the radius
   float travelSpeed = 10.0f;  ///< m/s at which the signal passes along this arrow
   bool hidden = false, muted = false, locked = false;
   std::string extra;

@@ -59,8 +59,8 @@ class Verbs(unittest.TestCase):
         self.folder = pathlib.Path(holder.name)
 
     def run_windloom(self, *arguments):
-        return subprocess.run([OPTIONS.windloom, *map(str, arguments)], capture_output=True, text=True, encoding="utf-8",
-                              timeout=60)
+        command = [OPTIONS.windloom, *map(str, arguments)]
+        return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60)
 
     def expect(self, status, *arguments):
         result = self.run_windloom(*arguments)
@@ -78,8 +78,8 @@ class Verbs(unittest.TestCase):
                 result = self.expect(BAD_INPUT, verb, self.broken(name), "--json")
                 errors = json.loads(result.stdout)["errors"]
                 self.assertFalse(json.loads(result.stdout)["ok"])
-                self.assertTrue(any((pointer is None or e["pointer"] == pointer) and message in e["message"] for e in errors),
-                                f"{verb} {name}: {errors}")
+                found = [e for e in errors if pointer in (None, e["pointer"]) and message in e["message"]]
+                self.assertTrue(found, f"{verb} {name}: {errors}")
                 self.assertTrue(all(e["file"] == self.broken(name) for e in errors))
                 self.assertIn(f"{self.broken(name)}: ", result.stderr)
                 self.assertIn(message, result.stderr)
@@ -138,7 +138,8 @@ class Verbs(unittest.TestCase):
         self.assertEqual(stat.S_IMODE(path.stat().st_mode), 0o644)
 
     def test_wrong_usage(self):
-        for arguments in ([], ["blow"], ["validate"], ["new"], ["new", "x", "--template", "nope"], ["info", "x", "--fps", "-1"],
+        for arguments in ([], ["blow"], ["validate"], ["new"], ["new", "x", "--template", "nope"],
+                          ["info", "x", "--fps", "-1"],
                           ["info", "x", "--backend", "abacus"], ["validate", "x", "--no-such-option"]):
             result = self.expect(USAGE, *arguments)
             self.assertNotEqual(result.stderr, "", arguments)
@@ -160,7 +161,8 @@ class Verbs(unittest.TestCase):
             "grass": {"density": 10},
             "graph": {"points": [{"id": 1, "name": "gate", "position": [0, 0]}, {"id": 2, "position": [10, 0]},
                                  {"id": 3, "position": [10, 5]}],
-                      "arrows": [{"id": 11, "from": 1, "to": 2, "travelSpeed": 5}, {"id": 12, "from": 2, "to": 3, "travelSpeed": 2}],
+                      "arrows": [{"id": 11, "from": 1, "to": 2, "travelSpeed": 5},
+                                 {"id": 12, "from": 2, "to": 3, "travelSpeed": 2}],
                       "signals": [{"root": 1, "kind": "pulse"}]}}), encoding="utf-8")
         info = json.loads(self.expect(DONE, "info", path, "--json", "--fps", "25").stdout)
         self.assertTrue(info["ok"])

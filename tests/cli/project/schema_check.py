@@ -28,7 +28,7 @@ class SchemaCheck(unittest.TestCase):
 
     def errors(self, path):
         document = json.loads(pathlib.Path(path).read_text(encoding="utf-8"))
-        return [f"{path}: /{'/'.join(map(str, e.absolute_path))}: {e.message}" for e in self.validator.iter_errors(document)]
+        return [f"{path}: {e.json_path}: {e.message}" for e in self.validator.iter_errors(document)]
 
     def test_samples_pass(self):
         samples = sorted(pathlib.Path(OPTIONS.projects).glob("**/*.wind.json"))
@@ -37,11 +37,13 @@ class SchemaCheck(unittest.TestCase):
             self.assertEqual(self.errors(sample), [])
 
     def test_templates_pass(self):
-        listing = json.loads(subprocess.run([OPTIONS.windloom, "new", "--list", "--json"], check=True, capture_output=True).stdout)
+        command = [OPTIONS.windloom, "new", "--list", "--json"]
+        listing = json.loads(subprocess.run(command, check=True, capture_output=True).stdout)
         with tempfile.TemporaryDirectory() as folder:
             for template in listing["templates"]:
                 path = pathlib.Path(folder) / f"{template['name']}.wind.json"
-                subprocess.run([OPTIONS.windloom, "new", path, "--template", template["name"]], check=True, capture_output=True)
+                command = [OPTIONS.windloom, "new", path, "--template", template["name"]]
+                subprocess.run(command, check=True, capture_output=True)
                 self.assertEqual(self.errors(path), [])
 
     def test_broken_files_fail_where_a_schema_can_tell(self):

@@ -18,8 +18,10 @@ inline const std::string kRichProject = R"json({
   "solver": {"backend": "cpu", "seed": 9},
   "ambient": {"speed": 2, "gusts": {"strength": 0.3, "colour": "blue"}},
   "graph": {
-    "points": [{"id": 1, "name": "gate", "position": [-10, 0]}, {"id": 2, "position": [0.1, 5], "tag": 1e-3}, {"id": 3, "position": [7, 2]}],
-    "arrows": [{"id": 10, "from": 1, "to": 2, "strength": 9, "swirl": -1.5}, {"id": 11, "from": 2, "to": 3, "muted": true}],
+    "points": [{"id": 1, "name": "gate", "position": [-10, 0]}, {"id": 2, "position": [0.1, 5], "tag": 1e-3},
+      {"id": 3, "position": [7, 2]}],
+    "arrows": [{"id": 10, "from": 1, "to": 2, "strength": 9, "swirl": -1.5},
+      {"id": 11, "from": 2, "to": 3, "muted": true}],
     "signals": [{"root": 1, "kind": "curve", "period": 4, "keys": [[0, 0], [1.25, 1], [4, 0]]}],
     "layers": {"x": 1}
   },
