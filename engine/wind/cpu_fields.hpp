@@ -17,6 +17,20 @@ namespace windloom {
 /// Rows a task works on. Fixed, so that sums over tasks are the same for any number of threads.
 inline constexpr int kRowsPerTask = 16;
 
+/// What is beyond this, or no number, isn't healthy.
+inline constexpr float kLargestHealthy = 3e38f;
+
+/// Faces that were reset because they weren't finite.
+struct CpuHealth {
+  long count = 0;
+  glm::ivec2 first{-1, -1};  ///< cell of the first one
+
+  void add(const CpuHealth& next) {
+    if (count == 0) first = next.first;
+    count += next.count;
+  }
+};
+
 /// One staggered vector field.
 struct CpuVelocity {
   CpuPlane u, w;  // (W + 1) x H and W x (H + 1)

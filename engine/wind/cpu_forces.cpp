@@ -53,44 +53,33 @@ HWY_ATTR void nodeVorticity(const CpuFields& f, int k, float* HWY_RESTRICT out) 
   for (const CpuRun& run : runsOf(f.solidNodes, k)) std::fill(out + run.begin, out + run.end, 0.0f);
 }
 
-/// Squared speeds of row k of cells and of the cells beside it, out[-1..W].
-HWY_ATTR void squaredSpeeds(const CpuFields& f, int k, float* HWY_RESTRICT out) {
-  const float *HWY_RESTRICT vx = f.speedX.row(k), *HWY_RESTRICT vz = f.speedZ.row(k);
-  for (int i = -1, width = f.width(); i <= width; ++i) out[i] = vx[i] * vx[i] + vz[i] * vz[i];
-}
-
-struct ConfinementRows {
-  const float *nodesLow, *nodesHigh;              // vorticity
-  const float *squaresBelow, *squares, *squaresAbove;  // of the speed
-};
-
-HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, ConfinementRows rows) {
+/// `low` and `high` are the vorticities at the nodes below and above the row.
+HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, const float* nodesLow, const float* nodesHigh) {
   const FloatTag d;
   const float h = std::sqrt(f.grid.hx * f.grid.hz), quarterX = 0.5f / f.grid.hx, quarterZ = 0.5f / f.grid.hz;
   const Floats halfX = hn::Set(d, quarterX), halfZ = hn::Set(d, quarterZ), tiny = hn::Set(d, 1e-5f / h);
   const Floats soft = hn::Set(d, 0.25f * WIND_CONFINEMENT_SOFTNESS * std::sqrt(2 * (quarterX * quarterX + quarterZ * quarterZ)));
   const Floats scale = hn::Set(d, 0.25f * f.dt * f.solver.confinement * h);
-  const Floats limit = hn::Set(d, WIND_CONFINEMENT_LIMIT * WIND_CONFINEMENT_LIMIT), least = hn::Set(d, 1e-30f), one = hn::Set(d, 1.0f);
+  const float growth = 1 + WIND_CONFINEMENT_GAIN * f.dt;
+  const Floats limit = hn::Set(d, WIND_CONFINEMENT_LIMIT * WIND_CONFINEMENT_LIMIT), gain = hn::Set(d, growth * growth);
+  const Floats least = hn::Set(d, 1e-30f), one = hn::Set(d, 1.0f);
   const float *vx = f.speedX.row(row.k), *vz = f.speedZ.row(row.k);
   for (int i = 0, width = f.width(); i < width; i += static_cast<int>(hn::Lanes(d))) {
-    const Floats low = hn::LoadU(d, rows.nodesLow + i), lowNext = hn::LoadU(d, rows.nodesLow + i + 1);
-    const Floats high = hn::LoadU(d, rows.nodesHigh + i), highNext = hn::LoadU(d, rows.nodesHigh + i + 1);
+    const Floats low = hn::LoadU(d, nodesLow + i), lowNext = hn::LoadU(d, nodesLow + i + 1);
+    const Floats high = hn::LoadU(d, nodesHigh + i), highNext = hn::LoadU(d, nodesHigh + i + 1);
     const Floats a = hn::Abs(low), b = hn::Abs(lowNext), c = hn::Abs(high), e = hn::Abs(highNext);
     const Floats etaX = hn::Mul(hn::Sub(hn::Add(b, e), hn::Add(a, c)), halfX), etaZ = hn::Mul(hn::Sub(hn::Add(c, e), hn::Add(a, b)), halfZ);
     const Floats blur = hn::Add(hn::Mul(soft, hn::Add(hn::Add(a, b), hn::Add(c, e))), tiny);
     const Floats steepness = hn::Sqrt(hn::Add(hn::Mul(etaX, etaX), hn::Mul(etaZ, etaZ)));
     const Floats push = hn::Div(hn::Mul(scale, hn::Add(hn::Add(low, lowNext), hn::Add(high, highNext))), hn::Add(steepness, blur));
     const Floats dx = hn::Mul(push, etaZ), dz = hn::Neg(hn::Mul(push, etaX));
-    const Floats own = hn::LoadU(d, rows.squares + i);
+    const Floats x = hn::LoadU(d, vx + i), z = hn::LoadU(d, vz + i);
+    const Floats own = hn::Add(hn::Mul(x, x), hn::Mul(z, z));
     const Floats size = hn::Max(hn::Add(hn::Mul(dx, dx), hn::Mul(dz, dz)), least);
     const Floats cut = hn::Min(hn::Sqrt(hn::Div(hn::Mul(limit, own), size)), one);
-    const Floats sides = hn::Max(hn::LoadU(d, rows.squares + i - 1), hn::LoadU(d, rows.squares + i + 1));
-    const Floats ends = hn::Max(hn::LoadU(d, rows.squaresBelow + i), hn::LoadU(d, rows.squaresAbove + i));
-    const Floats fastest = hn::Max(own, hn::Max(sides, ends));
-    const Floats x = hn::LoadU(d, vx + i), z = hn::LoadU(d, vz + i);
     const Floats nx = hn::Add(x, hn::Mul(dx, cut)), nz = hn::Add(z, hn::Mul(dz, cut));
     const Floats reached = hn::Max(hn::Add(hn::Mul(nx, nx), hn::Mul(nz, nz)), least);
-    const Floats keep = hn::Min(hn::Sqrt(hn::Div(fastest, reached)), one);
+    const Floats keep = hn::Min(hn::Sqrt(hn::Div(hn::Mul(gain, own), reached)), one);
     hn::StoreU(hn::Add(hn::LoadU(d, row.incrementX + i), hn::Sub(hn::Mul(nx, keep), x)), d, row.incrementX + i);
     hn::StoreU(hn::Add(hn::LoadU(d, row.incrementZ + i), hn::Sub(hn::Mul(nz, keep), z)), d, row.incrementZ + i);
   }
@@ -141,36 +130,45 @@ HWY_ATTR void addFieldForces(const CpuFields& f, int begin, int end, const GustL
                              std::ptrdiff_t stride) {
   thread_local std::vector<float> memory;
   const std::ptrdiff_t room = f.speedX.stride();
-  memory.assign(static_cast<std::size_t>(room) * 7, 0.0f);
+  memory.assign(static_cast<std::size_t>(room) * 4, 0.0f);
   const auto scratch = [&](int n) { return memory.data() + n * room + CpuPlane::kMargin; };
   const bool confine = f.solver.confinement > 0;
-  if (confine) {
-    nodeVorticity(f, begin, scratch(begin & 1));
-    squaredSpeeds(f, begin - 1, scratch(2 + (begin + 2) % 3));
-    squaredSpeeds(f, begin, scratch(2 + begin % 3));
-  }
+  if (confine) nodeVorticity(f, begin, scratch(begin & 1));
   for (int k = begin; k < end; ++k) {
     const ForceRow row{k, incrementX + k * stride, incrementZ + k * stride};
-    if (f.gustAmplitude > 0) addGusts(f, row, layers, scratch(5), scratch(6));
+    if (f.gustAmplitude > 0) addGusts(f, row, layers, scratch(2), scratch(3));
     if (!confine) continue;
     nodeVorticity(f, k + 1, scratch((k + 1) & 1));
-    squaredSpeeds(f, k + 1, scratch(2 + (k + 1) % 3));
-    addConfinement(f, row, {scratch(k & 1), scratch((k + 1) & 1), scratch(2 + (k + 2) % 3), scratch(2 + k % 3), scratch(2 + (k + 1) % 3)});
+    addConfinement(f, row, scratch(k & 1), scratch((k + 1) & 1));
   }
 }
 
-HWY_ATTR void addToFacesX(const CpuFields& f, int k, const float* HWY_RESTRICT increment, float* HWY_RESTRICT out) {
+/// What isn't finite becomes the ambient wind.
+HWY_ATTR void healRow(const CpuFields& f, int k, float* row, int count, float ambient, CpuHealth& health) {
+  int bad = 0;
+  for (int i = 0; i < count; ++i) bad += std::abs(row[i]) <= kLargestHealthy ? 0 : 1;
+  for (int i = 0; i < count && bad > 0; ++i) {
+    if (std::abs(row[i]) <= kLargestHealthy) continue;
+    row[i] = ambient;
+    health.add({1, {std::min(i, f.width() - 1), std::min(k, f.height() - 1)}});
+    --bad;
+  }
+}
+
+HWY_ATTR void addToFacesX(const CpuFields& f, int k, const float* HWY_RESTRICT increment, float* HWY_RESTRICT out, CpuHealth& health) {
   const int w = f.width();
   const float* HWY_RESTRICT u = f.velocity.u.row(k);
   for (int i = 1; i < w; ++i) out[i] = u[i] + 0.5f * (increment[i - 1] + increment[i]);
   const bool periodic = f.grid.periodicX();
   out[0] = u[0] + (periodic ? 0.5f * (increment[w - 1] + increment[0]) : increment[0]);
   out[w] = periodic ? out[0] : u[w] + increment[w - 1];
+  healRow(f, k, out, w + 1, f.ambient.x, health);
 }
 
-HWY_ATTR void addToFacesZ(const CpuFields& f, int k, const float* low, const float* high, float* HWY_RESTRICT out) {
+HWY_ATTR void addToFacesZ(const CpuFields& f, int k, const float* low, const float* high, float* HWY_RESTRICT out, CpuHealth& health) {
   const float* HWY_RESTRICT w = f.velocity.w.row(k);
   for (int i = 0, width = f.width(); i < width; ++i) out[i] = w[i] + 0.5f * (low[i] + high[i]);
+  healRow(f, k, out, f.width(), f.ambient.y, health);
 }
 
 }  // namespace
@@ -221,28 +219,34 @@ struct ForceJob {
     HWY_DYNAMIC_DISPATCH(addFieldForces)(f, begin, end, layers, out.x(first) - begin * stride, out.z(first) - begin * stride, stride);
   }
 
-  void rows(int begin, int end) const {
+  [[nodiscard]] CpuHealth rows(int begin, int end) const {
+    CpuHealth health;
     thread_local std::vector<float> memory;
     const IncrementRows own(memory, f.speedX.stride(), end - begin + 1);  // row 0: the one below `begin`
     const int below = begin > 0 ? begin - 1 : f.grid.periodicZ() ? f.height() - 1 : -1;
     if (below >= 0) increments(below, below + 1, own, 0);
     increments(begin, end, own, 1);
     for (int k = begin; k < end; ++k) {
-      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, k, own.x(k - begin + 1), f.forced.u.row(k));
+      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, k, own.x(k - begin + 1), f.forced.u.row(k), health);
       const int low = k == begin && below < 0 ? 1 : k - begin;
-      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(k - begin + 1), f.forced.w.row(k));
+      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(k - begin + 1), f.forced.w.row(k), health);
     }
-    if (end == f.height()) HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end));
+    if (end == f.height()) HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end), health);
+    return health;
   }
 };
 
 }  // namespace
 
-void applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles, double time) {
+CpuHealth applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles, double time) {
   static_assert(WIND_TILE % kRowsPerTask == 0, "a task's rows lie in one row of tiles");
   const ForceJob job{f, arrows, tiles, gustLayersAt(f.ambientSettings, time)};
-  forRowTasks(pool, f.height(), [&](int, int begin, int end) { job.rows(begin, end); });
+  std::vector<CpuHealth> tasks(static_cast<std::size_t>(rowTasks(f.height())));
+  forRowTasks(pool, f.height(), [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = job.rows(begin, end); });
   if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
+  CpuHealth health;
+  for (const CpuHealth& task : tasks) health.add(task);
+  return health;
 }
 
 }  // namespace windloom

@@ -15,8 +15,7 @@ RowFindings runPass(ThreadPool& pool, int height, const Rows& rows) {
   forRowTasks(pool, height, [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = rows(begin, end); });
   RowFindings total;
   for (const RowFindings& t : tasks) {
-    if (total.nonFinite == 0) total.firstNonFinite = t.firstNonFinite;
-    total.nonFinite += t.nonFinite;
+    total.health.add(t.health);
     total.fluxSquares += t.fluxSquares;
     total.predictedSquares += t.predictedSquares;
     total.speedSquares += t.speedSquares;
@@ -75,8 +74,7 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   report.kineticEnergy = 0.5 * after.cellSquares / air;
   report.maxSpeed = std::sqrt(double(after.greatestCellSquare));
   report.cfl = double(std::max(after.greatestCellX * f.dt / f.grid.hx, after.greatestCellZ * f.dt / f.grid.hz));
-  report.nonFinite = before.nonFinite;
-  report.firstNonFinite = before.firstNonFinite;
+  report.health = before.health;
   return report;
 }
 

@@ -12,8 +12,7 @@ struct ProjectionReport {
   double divergenceBefore = 0, divergenceAfter = 0, maxDivergenceAfter = 0;  // 1/s
   int cycles = 0;
   double kineticEnergy = 0, maxSpeed = 0, cfl = 0;
-  long nonFinite = 0;  // faces that were reset
-  glm::ivec2 firstNonFinite{-1, -1};
+  CpuHealth health;
 };
 
 /// Settles `moved` and makes it free of divergence into `velocity`; keeps phi for the next step and sets the cell velocities

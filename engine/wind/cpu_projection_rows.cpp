@@ -20,8 +20,6 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
-constexpr float kLargest = 3e38f;  // what is beyond, or no number, isn't healthy
-
 #include "engine/wind/cpu_sums.hpp"
 
 HWY_ATTR float greatestOf(const float* values, int count) {
@@ -41,7 +39,7 @@ HWY_ATTR int settleRow(const CpuFields& f, const float* HWY_RESTRICT in, int cou
   int bad = 0;
   for (int i = 0; i < count; ++i) {
     const float q = ambient + (in[i] - ambient) * keep;
-    const bool healthy = std::abs(q) <= kLargest;
+    const bool healthy = std::abs(q) <= kLargestHealthy;
     const float low = q < -limit ? -limit : q;
     const float cut = low > limit ? limit : low;
     out[i] = healthy ? cut : ambient;
@@ -59,13 +57,13 @@ HWY_ATTR void takeOff(const float* HWY_RESTRICT in, const float* HWY_RESTRICT lo
                       int end, float* HWY_RESTRICT out) {
   for (int i = begin; i < end; ++i) {
     const float value = in[i] - (high[i] - low[i]) * scale;
-    out[i] = std::abs(value) <= kLargest ? value : in[i];
+    out[i] = std::abs(value) <= kLargestHealthy ? value : in[i];
   }
 }
 
 HWY_ATTR inline float takenOff(float in, float part) {
   const float value = in - part;
-  return std::abs(value) <= kLargest ? value : in;
+  return std::abs(value) <= kLargestHealthy ? value : in;
 }
 
 /// x-faces of row k: in - grad phi.
@@ -121,20 +119,17 @@ class Scratch {
   float* m_memory;
 };
 
-/// Finds the first face of a row that isn't finite.
-void noteNonFinite(const CpuFields& f, const float* in, int count, int k, int bad, RowFindings& findings) {
-  if (findings.nonFinite == 0) {
-    int i = 0;
-    while (i < count - 1 && std::abs(in[i]) <= kLargest) ++i;
-    findings.firstNonFinite = {std::min(i, f.width() - 1), std::min(k, f.height() - 1)};
-  }
-  findings.nonFinite += bad;
+/// Notes how many faces of a row weren't finite, and the first of them.
+void noteNonFinite(const CpuFields& f, const float* in, int count, int k, int bad, CpuHealth& health) {
+  int i = 0;
+  while (i < count - 1 && std::abs(in[i]) <= kLargestHealthy) ++i;
+  health.add({bad, {std::min(i, f.width() - 1), std::min(k, f.height() - 1)}});
 }
 
 HWY_ATTR void settleRowX(const CpuFields& f, int k, float* out, RowFindings& findings) {
   const float* in = f.moved.u.row(k);
   const int bad = settleRow(f, in, f.width() + 1, f.ambient.x, out);
-  if (bad > 0) noteNonFinite(f, in, f.width() + 1, k, bad, findings);
+  if (bad > 0) noteNonFinite(f, in, f.width() + 1, k, bad, findings.health);
   if (f.grid.periodicX()) out[f.width()] = out[0];
   zeroRuns(f.blockedX, k, out);
 }
@@ -143,7 +138,7 @@ HWY_ATTR void settleRowX(const CpuFields& f, int k, float* out, RowFindings& fin
 HWY_ATTR void settleRowZ(const CpuFields& f, int k, bool counts, float* out, RowFindings& findings) {
   const float* in = f.moved.w.row(k == f.height() && f.grid.periodicZ() ? 0 : k);
   const int bad = settleRow(f, in, f.width(), f.ambient.y, out);
-  if (bad > 0 && counts) noteNonFinite(f, in, f.width(), k, bad, findings);
+  if (bad > 0 && counts) noteNonFinite(f, in, f.width(), k, bad, findings.health);
   zeroRuns(f.blockedZ, k, out);
 }
 
@@ -175,7 +170,7 @@ HWY_ATTR RowFindings predictTask(CpuFields& f, CpuPlane& flux, int begin, int en
 HWY_ATTR void addPressure(const float* HWY_RESTRICT d, int count, float* HWY_RESTRICT phi) {
   for (int i = 0; i < count; ++i) {
     const float sum = phi[i] + d[i];
-    phi[i] = std::abs(sum) <= kLargest ? sum : 0.0f;
+    phi[i] = std::abs(sum) <= kLargestHealthy ? sum : 0.0f;
   }
 }
 

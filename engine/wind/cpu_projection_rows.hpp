@@ -13,8 +13,7 @@ struct RowFindings {
   double greatestFlux = 0;
   double cellSquares = 0;           // |cell velocity|^2
   float greatestCellSquare = 0, greatestCellX = 0, greatestCellZ = 0;
-  long nonFinite = 0;
-  glm::ivec2 firstNonFinite{-1, -1};
+  CpuHealth health;
 };
 
 /// Rows [begin, end) of: dissipation, health and limits of `moved`, blocked faces; the gradient of phi taken off into

@@ -105,7 +105,7 @@ void CpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
   StageClock clock(m_diagnostics);
   fillGhosts(m_fields, m_fields.velocity, OpenGhost::Ambient);
   binArrows(m_fields.grid, arrows, m_tiles);
-  applyForces(m_fields, m_pool, arrows, m_tiles, time);
+  CpuHealth health = applyForces(m_fields, m_pool, arrows, m_tiles, time);
   fillGhosts(m_fields, m_fields.forced, OpenGhost::Ambient);
   clock.end("forces");
   advect(m_fields, m_pool);
@@ -116,6 +116,9 @@ void CpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
   }
   const ProjectionReport report = project(m_fields, m_multigrid, m_pool);
   takeReport(report);
+  health.add(report.health);
+  if (health.count > 0 && m_diagnostics.nonFiniteCells == 0) m_diagnostics.firstNonFinite = health.first;
+  m_diagnostics.nonFiniteCells += health.count;
   ++m_diagnostics.step;
   clock.end("projection");
 }
@@ -128,8 +131,6 @@ void CpuWindSolver::takeReport(const ProjectionReport& report) {
   m_diagnostics.kineticEnergy = report.kineticEnergy;
   m_diagnostics.maxSpeed = std::min(report.maxSpeed, double(m_fields.solver.maxSpeed));
   m_diagnostics.cfl = report.cfl;
-  if (report.nonFinite > 0 && m_diagnostics.nonFiniteCells == 0) m_diagnostics.firstNonFinite = report.firstNonFinite;
-  m_diagnostics.nonFiniteCells += report.nonFinite;
 }
 
 void CpuWindSolver::reset() {

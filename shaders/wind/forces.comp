@@ -19,14 +19,6 @@ shared vec2 increments[WIND_FORCE_GROUP_Z][WIND_FORCE_GROUP_X];
 
 float speedSquare(vec2 v) { return dot(v, v); }
 
-// Squared speed of the neighbour (i + di, k + dk); behind a border that isn't periodic the cell itself.
-float neighbourSquare(int i, int k, int di, int dk, float own) {
-  int ni = i + di, nk = k + dk;
-  if (!periodicX() && (ni < 0 || ni >= wind.width)) return own;
-  if (!periodicZ() && (nk < 0 || nk >= wind.height)) return own;
-  return speedSquare(cellVelocity(ni, nk));
-}
-
 vec2 confinementIncrement(int i, int k, vec2 v) {
   float lowLow = nodeVorticity(i, k), highLow = nodeVorticity(i + 1, k);
   float lowHigh = nodeVorticity(i, k + 1), highHigh = nodeVorticity(i + 1, k + 1);
@@ -41,9 +33,7 @@ vec2 confinementIncrement(int i, int k, vec2 v) {
   float own = speedSquare(v), size = speedSquare(added);
   float allowed = WIND_CONFINEMENT_LIMIT * WIND_CONFINEMENT_LIMIT * own;
   if (size > allowed) added *= sqrt(allowed / size);
-  float sides = max(neighbourSquare(i, k, -1, 0, own), neighbourSquare(i, k, 1, 0, own));
-  float ends = max(neighbourSquare(i, k, 0, -1, own), neighbourSquare(i, k, 0, 1, own));
-  float fastest = max(own, max(sides, ends));
+  float gain = 1.0 + WIND_CONFINEMENT_GAIN * wind.dt, fastest = gain * gain * own;
   vec2 next = v + added;
   float reached = speedSquare(next);
   return (reached > fastest ? next * sqrt(fastest / reached) : next) - v;

@@ -17,7 +17,7 @@ double decayError(int cells) {
   WindSetup setup = bareSetup({cells, cells}, 1.0f / static_cast<float>(cells), Border::Periodic, static_cast<float>(kSeconds / steps));
   setup.solver.viscosity = static_cast<float>(kViscosity);
   setup.solver.divergenceTolerance = 1e-5f;
-  CpuWindSolver solver(setup, 0);
+  CpuWindSolver solver(setup, 1);
   setFaces(solver, taylorGreen(1, 2, 1));
   run(solver, steps);
   const double decay = std::exp(-2 * kViscosity * 4 * kPi * kPi * kSeconds);
@@ -63,7 +63,7 @@ std::unique_ptr<CpuWindSolver> cavity(int cells, double reynolds, double seconds
   WindSetup setup = bareSetup({cells, cells}, h, Border::Wall, 0.8f * h);
   setup.solver.viscosity = static_cast<float>(1 / reynolds);
   setup.noSlip = WallSpeeds{0, 0, 0, 1};
-  auto solver = std::make_unique<CpuWindSolver>(setup, 0);
+  auto solver = std::make_unique<CpuWindSolver>(setup, 1);
   run(*solver, static_cast<int>(seconds / static_cast<double>(setup.field.timeStep)));
   return solver;
 }
