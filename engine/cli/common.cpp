@@ -10,6 +10,10 @@ namespace windloom::cli {
 
 void addCommonOptions(CLI::App& app, CommonOptions& options) {
   app.add_flag("--json", options.json, "Write one JSON object to standard output");
+  addBackendOption(app, options);
+}
+
+void addBackendOption(CLI::App& app, CommonOptions& options) {
   const auto setBackend = [&options](const std::string& name) {
     if (name != "auto" && name != "gpu" && name != "cpu") {
       throw CLI::ValidationError("--backend", "found '" + name + "', expected auto, gpu or cpu");

@@ -28,6 +28,8 @@ struct CommonOptions {
 
 /// Adds --json and --backend.
 void addCommonOptions(CLI::App& app, CommonOptions& options);
+/// Adds --backend alone.
+void addBackendOption(CLI::App& app, CommonOptions& options);
 
 int exitStatus(ErrorKind kind);
 

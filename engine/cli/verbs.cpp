@@ -10,6 +10,7 @@ VerbAction makeInfoVerb(CLI::App& app);
 VerbAction makeSampleVerb(CLI::App& app);
 VerbAction makeBakeVerb(CLI::App& app);
 VerbAction makeRenderVerb(CLI::App& app);
+VerbAction makeBenchVerb(CLI::App& app);
 VerbAction makeEditVerb(CLI::App& app);
 VerbAction makeDocsVerb(CLI::App& app);
 
@@ -21,6 +22,7 @@ std::span<const Verb> verbs() {
       Verb{"sample", "Tells the wind at places and a moment", makeSampleVerb},
       Verb{"bake", "Records the wind and writes it for games", makeBakeVerb},
       Verb{"render", "Makes pictures of a project at a moment", makeRenderVerb},
+      Verb{"bench", "Measures the wind step, grass and loading", makeBenchVerb},
       Verb{"edit", "Starts the editor", makeEditVerb},
       Verb{"docs", "Writes the project file's schema and the list of parameters", makeDocsVerb, VerbKind::Developer},
   };

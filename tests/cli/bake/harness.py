@@ -62,7 +62,7 @@ def sha256(path):
 
 
 def read_png(path):
-    """8-bit samples of a PNG that isn't interlaced, [height, width, channels]; after the PNG specification (ISO 15948)."""
+    """8-bit samples of a PNG that isn't interlaced, [height, width, channels]; after ISO 15948."""
     raw = path.read_bytes()
     assert raw[:8] == b"\x89PNG\r\n\x1a\n"
     at, data, header = 8, b"", None
