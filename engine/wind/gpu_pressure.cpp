@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 
 #include "engine/wind/gpu_programs.hpp"
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples of this on every driver
 constexpr CoarseningRule kCoarsening = WIND_GPU_COARSENING == 4 ? coarseningByFour : coarseningOf;
+static_assert(WIND_INNER % WIND_GPU_COARSENING == 0, "coarse cells don't straddle work-groups");
+static_assert(WIND_GPU_SWEEPS < WIND_HALO, "the residual after the sweeps needs one cell more");
+static_assert(WIND_REGION % WIND_STRIP == 0 && WIND_REGION * WIND_STRIPS <= 1024, "a work-group of whole strips");
 constexpr std::size_t kTailCommand = WIND_MAX_LEVELS - 1;
 
 std::size_t commandOffset(std::size_t level) {
@@ -311,6 +315,7 @@ void GpuPressure::solve(const GpuFields& fields, const gpu::Buffer& star, int cy
   star.bindStorage(WIND_SSBO_VELOCITY);
   m_planes[m_phi].bindStorage(WIND_SSBO_PHI);
   fields.control.bindStorage(WIND_SSBO_CONTROL);
+  bindScratch(fields, star);
   if (fields.solver.pressure == Pressure::Jacobi) {
     solveJacobi(fields.solver.jacobiSweeps);
   } else {
@@ -318,8 +323,21 @@ void GpuPressure::solve(const GpuFields& fields, const gpu::Buffer& star, int cy
   }
 }
 
+void GpuPressure::bindScratch(const GpuFields& fields, const gpu::Buffer& star) {
+  // Nothing needs the velocity of the last step any more, nor what only the advection used: each has room for two
+  // planes.
+  const gpu::Buffer* free[] = {&fields.carried, &fields.first, &fields.moved};
+  const auto end =
+      std::remove_if(std::begin(free), std::end(free), [&](const gpu::Buffer* b) { return b->name() == star.name(); });
+  WL_REQUIRE(end - std::begin(free) == 2, "q* lies in one of the buffers of the advection");
+  free[0]->bindStorage(WIND_SSBO_JOINED);
+  free[1]->bindStorage(WIND_SSBO_APPLIED);
+  fields.velocity.bindStorage(WIND_SSBO_LAST_APPLIED);
+}
+
 void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, const gpu::Buffer& result) {
   afterLastPass();  // d by the solve
+  bindScratch(fields, star);
   star.bindStorage(WIND_SSBO_VELOCITY);
   result.bindStorage(WIND_SSBO_RESULT);
   m_planes[m_phi].bindStorage(WIND_SSBO_PHI);

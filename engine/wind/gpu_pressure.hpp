@@ -52,6 +52,7 @@ class GpuPressure {
   void goUp(std::size_t level, const gpu::Buffer& control);
   void runTail(const gpu::Buffer& control);
   void bindLevel(std::size_t level) const;
+  static void bindScratch(const GpuFields& fields, const gpu::Buffer& star);
   [[nodiscard]] const gpu::Buffer& fluxOf(std::size_t level) const;
   [[nodiscard]] const gpu::Buffer& downOf(std::size_t level) const;
   [[nodiscard]] const gpu::Buffer& upOf(std::size_t level) const;
@@ -64,7 +65,7 @@ class GpuPressure {
   gpu::Buffer m_tailFaces, m_tailInverse, m_tailFlux, m_tailUp;
   std::string m_tailDefines;
   gpu::Buffer m_planes[3];  // phi, d after the way down and d after the way up of level 0 take turns in these
-  gpu::Buffer m_flux;       // b of level 0
+  gpu::Buffer m_flux;       // residual of level 0 in even cycles
   std::size_t m_phi = 0, m_down = 1, m_up = 2;
   const gpu::Program *m_first = nullptr, *m_tail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
   const gpu::Program *m_project = nullptr, *m_projectJacobi = nullptr;

@@ -10,8 +10,8 @@ namespace {
 // clang-format off
 #define WIND_PRESSURE_VARIANTS(X, Z) \
   {"wind/pressure first " #X "x" #Z, {"wind/pressure_down.comp"}, "FIRST FACTOR_X=" #X " FACTOR_Z=" #Z}, \
-  {"wind/pressure again " #X "x" #Z, {"wind/pressure_down.comp"}, "LEVEL0 FACTOR_X=" #X " FACTOR_Z=" #Z}, \
-  {"wind/pressure down " #X "x" #Z, {"wind/pressure_down.comp"}, "FROM_ZERO FACTOR_X=" #X " FACTOR_Z=" #Z}, \
+  {"wind/pressure again " #X "x" #Z, {"wind/pressure_down.comp"}, "AGAIN FACTOR_X=" #X " FACTOR_Z=" #Z}, \
+  {"wind/pressure down " #X "x" #Z, {"wind/pressure_down.comp"}, "FACTOR_X=" #X " FACTOR_Z=" #Z}, \
   {"wind/pressure up " #X "x" #Z, {"wind/pressure_up.comp"}, "FACTOR_X=" #X " FACTOR_Z=" #Z}, \
   {"wind/pressure top " #X "x" #Z, {"wind/pressure_up.comp"}, "LEVEL0 FACTOR_X=" #X " FACTOR_Z=" #Z}
 
@@ -36,7 +36,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     WIND_PRESSURE_VARIANTS(1, 1),
     {"wind/pressure tail", {"wind/pressure_tail.comp"}, "TAIL_CELLS=1360 TAIL_RHS=336 TAIL_RESIDUALS=1024 TAIL_STRIDES=1"},
     {"wind/jacobi first", {"wind/pressure_down.comp"}, "FIRST JACOBI"},
-    {"wind/jacobi", {"wind/pressure_down.comp"}, "LEVEL0 JACOBI"},
+    {"wind/jacobi", {"wind/pressure_down.comp"}, "JACOBI"},
     {"wind/project", {"wind/project.comp"}},
     {"wind/project jacobi", {"wind/project.comp"}, "JACOBI"},
     {"wind/resample", {"wind/project.comp"}, "RESAMPLE_ONLY"},

@@ -56,6 +56,9 @@ WL_SHARED_BEGIN
 #define WIND_SSBO_COARSE_FACES 9
 #define WIND_SSBO_INVERSE 10
 #define WIND_SSBO_SUMS 11
+#define WIND_SSBO_APPLIED 12       // A z, then the residual of odd cycles
+#define WIND_SSBO_LAST_APPLIED 13  // A p of this cycle and the last, taking turns
+#define WIND_SSBO_JOINED 14        // p, then the solution
 
 struct WindBlock {
   int width, height;   // cells
@@ -105,7 +108,7 @@ struct WindLevel {
 struct WindControl {
   float fluxBefore, fluxStart;    // mean squares over air cells of f0 and b, m^4/s^2
   float wanted;                   // mean square of the flux that ends the solve
-  float flux;                     // mean square of b - A d after the last cycle
+  float flux;                     // mean square of the residual after the last cycle
   uint cycles;                    // done this step
   uint converged;                 // 0 or 1
   uint arrived;                   // work-groups that have delivered their sums
@@ -115,7 +118,9 @@ struct WindControl {
   float energy;                   // mean of |v|^2 / 2
   float maxSpeedSquare;           // m^2/s^2
   float crossing;                 // cells a step
-  uint paddingA, paddingB;
+  float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
+  float size;                     // A p . A p
+  uint paddingA, paddingB, paddingC;
   uint groups[WIND_MAX_LEVELS * 4];  // indirect dispatches: x, y, z of each level; the last entry is the tail's
 };
 
@@ -127,6 +132,6 @@ static_assert(offsetof(windloom::shared::WindBlock, minCorner) == 32, "std140 la
 static_assert(offsetof(windloom::shared::WindBlock, ambient) == 48, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, gustLayers) == 160, "std140 layout");
 static_assert(sizeof(windloom::shared::WindLevel) == 64, "std140 layout");
-static_assert(offsetof(windloom::shared::WindControl, groups) == 64, "std430 layout");
+static_assert(offsetof(windloom::shared::WindControl, groups) == 80, "std430 layout");
 #endif
 #endif

@@ -24,8 +24,9 @@
 
 // Smoothing sweeps before and after a coarser level; at most WIND_HALO - 1, since the residual needs one cell more.
 // Their weights are the reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2]. Contraction of the residual a cycle,
-// measured at 400 x 400 open, first and later cycles: by two, 3 sweeps from 0.5: 0.041, 0.10; by four, 5 sweeps from
-// 0.2: 0.057, 0.11; 6: 0.037, 0.084; 7: 0.024, 0.07. By four takes half the dispatches of by two.
+// measured at 320 x 320 open, first and second joined cycle: by four, 5 sweeps from 0.2: 0.066, 0.033; 6: 0.042, 0.019;
+// 7: 0.026, 0.015; with four discs 7: 0.030, 0.036. By two, 3 sweeps from 0.5, contracts like by four with 5 or 6 and
+// takes twice the dispatches.
 #define WIND_GPU_SWEEPS 7
 #define WIND_SMOOTH_FROM 0.2f
 

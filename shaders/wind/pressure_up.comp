@@ -1,7 +1,7 @@
 #version 450 core
 // The way up of the pressure solve on one level: add the coarser level's correction, then smooth. docs/solver.md
 // section 6.
-// LEVEL0: also measures what is left and ends the solve when that is small enough.
+// LEVEL0: also finds A z, plans how the cycle joins the ones before, and ends the solve when little enough is left.
 #include "shaders/wind/region.glsl"
 
 layout(std430, binding = WIND_SSBO_D_IN) readonly buffer DIn { float dIn[]; };
@@ -10,11 +10,14 @@ layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 layout(std430, binding = WIND_SSBO_COARSE) readonly buffer Coarse { float coarse[]; };
 layout(std430, binding = WIND_SSBO_COARSE_FACES) readonly buffer CoarseFaces { vec4 coarseFaces[]; };
 #ifdef LEVEL0
+layout(std430, binding = WIND_SSBO_APPLIED) buffer Applied { float applied[]; };
+layout(std430, binding = WIND_SSBO_LAST_APPLIED) readonly buffer LastApplied { float lastApplied[]; };
 layout(std430, binding = WIND_SSBO_CONTROL) coherent buffer Control { WindControl control; };
-#define SUM_COUNT 1
-#define SUM_ADDED 1
+#define SUM_COUNT 3
+#define SUM_ADDED 3
 #include "shaders/wind/sums.glsl"
 #include "shaders/wind/solve_control.glsl"
+#include "shaders/wind/halves.glsl"
 #endif
 
 // The neighbour of a coarse cell one step along an axis, as seen across a border.
@@ -52,10 +55,32 @@ float correctionAt(ivec2 place) {
 }
 
 #ifdef LEVEL0
-void endCycle(float squares) {
-  control.flux = squares * wind.perAir;
+// The products r . A z, A z . A z and A z . A p of the inner cells; stores A z.
+void measure(inout float sums[SUM_COUNT]) {
+  float az[WIND_STRIP];
+  gather(az);
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    if (!isInner(n)) continue;
+    int cell = levelCell(placeOf(n));
+    float value = cells[n].inverse > 0.0 ? az[n] - cells[n].d / cells[n].inverse : 0.0;
+    applied[cell] = value;
+    sums[0] += cells[n].b * value;
+    sums[1] += value * value;
+    if (control.cycles > 0u) sums[2] += value * lastApplied[halfOf(control.cycles) + cell];
+  }
+}
+
+void endCycle(float sums[SUM_COUNT]) {
+  float beta = control.cycles > 0u ? sums[2] / control.size : 0.0;
+  float size = sums[1] - (control.cycles > 0u ? beta * beta * control.size : 0.0);
+  bool useful = size > 0.0;
+  float alpha = useful ? sums[0] / size : 0.0;
+  control.beta = beta;
+  control.size = size;
+  control.alpha = alpha;
+  control.flux -= alpha * sums[0] * wind.perAir;
   control.cycles += 1u;
-  if (control.flux > control.wanted) return;
+  if (useful && control.flux > control.wanted) return;
   control.converged = 1u;
   setDispatches(false);
 }
@@ -66,7 +91,11 @@ void main() {
     ivec2 place = wrappedPlace(n);
     loadStencil(n, place);
     bool there = place.x >= 0;
+#ifdef LEVEL0
+    cells[n].b = there ? residualOf(control.cycles, levelCell(place)) : 0.0;
+#else
     cells[n].b = there ? flux[levelCell(place)] : 0.0;
+#endif
     cells[n].d = cells[n].inverse > 0.0 ? dIn[levelCell(place)] + correctionAt(place) : 0.0;
   }
   findIrregular();
@@ -76,10 +105,8 @@ void main() {
     if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
   }
 #ifdef LEVEL0
-  float left[WIND_STRIP];
-  residuals(left);
-  float sums[SUM_COUNT] = float[](0.0);
-  for (int n = 0; n < WIND_STRIP; ++n) sums[0] += isInner(n) ? left[n] * left[n] : 0.0;
-  if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums[0]);
+  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
+  measure(sums);
+  if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums);
 #endif
 }

@@ -37,21 +37,30 @@ layout(std430, binding = WIND_SSBO_CONTROL) coherent buffer Control { WindContro
 #define SUM_ADDED 2
 shared float scratch[SUM_COUNT * GROUP_SIZE];
 #include "shaders/wind/sums.glsl"
-// The Jacobi solve has no cycles to count.
-#ifdef JACOBI
-#define SOLVED true
-#else
-#define SOLVED (control.cycles > 0u)
+#ifndef JACOBI
+layout(std430, binding = WIND_SSBO_JOINED) readonly buffer Joined { float joined[]; };
 #endif
 #define GHOST_TARGET result
 #include "shaders/wind/ghosts.glsl"
 #include "shaders/wind/gradient.glsl"
 
-// The pressures p of a cell and its neighbours in the order of withoutGradient.
-#define AROUND(array, at, i, k)                                                                          \
-  vec4(array[(at) + ((i) > 0 ? -1 : wind.width - 1)], array[(at) + ((i) < wind.width - 1 ? 1 : 1 - wind.width)], \
-       array[(at) + ((k) > 0 ? -wind.width : (wind.height - 1) * wind.width)],                          \
-       array[(at) + ((k) < wind.height - 1 ? wind.width : (1 - wind.height) * wind.width)])
+// The cells beside a cell, in the order of withoutGradient, around periodic borders.
+ivec4 neighboursOf(int at, int i, int k) {
+  int last = (wind.height - 1) * wind.width;
+  return ivec4(i > 0 ? at - 1 : at + wind.width - 1, i < wind.width - 1 ? at + 1 : at + 1 - wind.width,
+               k > 0 ? at - wind.width : at + last, k < wind.height - 1 ? at + wind.width : at - last);
+}
+
+// What the solve adds to the pressure of a cell: with multigrid the last cycle joined to those before, see join.glsl.
+float solutionAt(int at) {
+#ifdef JACOBI
+  return d[at];
+#else
+  if (control.cycles == 0u) return 0.0;
+  if (control.cycles == 1u) return control.alpha * d[at];
+  return joined[wind.width * wind.height + at] + control.alpha * (d[at] - control.beta * joined[at]);
+#endif
+}
 
 void report(float total[SUM_COUNT]) {
   control.fluxAfter = total[0] * wind.perAir;
@@ -69,12 +78,12 @@ void main() {
     uint flags = flagsOf(i, k);
     vec4 q = vec4(star[uAt(i, k)], star[uAt(i + 1, k)], star[wAt(i, k)], star[wAt(i, k + 1)]);
     float pressure = phi[at];
-    q = withoutGradient(q, flags, pressure, AROUND(phi, at, i, k));
-    if (SOLVED) {
-      q = withoutGradient(q, flags, d[at], AROUND(d, at, i, k));
-      pressure = finiteOr(pressure + d[at], 0.0);
-    }
-    nextPhi[at] = pressure;
+    ivec4 beside = neighboursOf(at, i, k);
+    q = withoutGradient(q, flags, pressure, vec4(phi[beside.x], phi[beside.y], phi[beside.z], phi[beside.w]));
+    float solution = solutionAt(at);
+    vec4 around = vec4(solutionAt(beside.x), solutionAt(beside.y), solutionAt(beside.z), solutionAt(beside.w));
+    q = withoutGradient(q, flags, solution, around);
+    nextPhi[at] = finiteOr(pressure + solution, 0.0);
     storeU(i, k, q.x);
     storeW(i, k, q.z);
     if (i == wind.width - 1) storeU(i + 1, k, q.y);

@@ -1,0 +1,58 @@
+// The right-hand side of the pressure solve, on level 0: what flows out of the cells once the last step's pressure is taken
+// off the velocity. docs/solver.md section 6, points 1 to 3. Needs region.glsl and a coherent buffer `control`.
+#define SUM_COUNT 3
+#define SUM_ADDED 3
+#include "shaders/wind/sums.glsl"
+#include "shaders/wind/solve_control.glsl"
+#include "shaders/wind/gradient.glsl"
+
+layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]; };
+layout(std430, binding = WIND_SSBO_PHI) readonly buffer Phi { float phi[]; };
+layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; };
+
+// b of the strip from the velocity without the last step's pressure; adds up f0^2, b^2 and speed^2.
+void loadFlux(inout float sums[SUM_COUNT]) {
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    ivec2 place = wrappedPlace(n);
+    loadStencil(n, place);
+    cells[n].d = place.x >= 0 ? phi[levelCell(place)] : 0.0;
+  }
+  findIrregular();
+  publish();
+  int at = scratchAt(0);
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    ivec2 place = wrappedPlace(n);
+    cells[n].b = 0.0;
+    if (place.x < 0) continue;
+    int mine = at + n * WIND_REGION;
+    // The rim of the region has no neighbours to read; nothing that counts comes from there.
+    vec4 around = vec4(localX() > 0 ? scratch[mine - 1] : 0.0, localX() < WIND_REGION - 1 ? scratch[mine + 1] : 0.0,
+                       localZ(n) > 0 ? scratch[mine - WIND_REGION] : 0.0,
+                       localZ(n) < WIND_REGION - 1 ? scratch[mine + WIND_REGION] : 0.0);
+    vec4 q = vec4(star[uAt(place.x, place.y)], star[uAt(place.x + 1, place.y)], star[wAt(place.x, place.y)],
+                  star[wAt(place.x, place.y + 1)]);
+    vec4 p = withoutGradient(q, cells[n].flags, cells[n].d, around);
+    float before = (q.y - q.x) * wind.hz + (q.w - q.z) * wind.hx;
+    float b = (p.y - p.x) * wind.hz + (p.w - p.z) * wind.hx;
+    cells[n].b = b;
+    if (!isInner(n)) continue;
+    sums[0] += before * before;
+    sums[1] += b * b;
+    sums[2] += q.x * q.x + q.z * q.z;
+    flux[levelCell(place)] = b;
+  }
+  barrier();
+}
+
+void startSolve(float total[SUM_COUNT]) {
+  control.fluxBefore = total[0] * wind.perAir;
+  control.fluxStart = total[1] * wind.perAir;
+  control.flux = control.fluxStart;
+  float floorFlux = WIND_ROUNDING_FLOOR * max(wind.hx, wind.hz);
+  float speedSquare = total[2] * wind.perCell;
+  control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
+  control.cycles = 0u;
+  bool run = control.fluxStart > control.wanted;
+  control.converged = run ? 0u : 1u;
+  setDispatches(run);
+}
