@@ -25,6 +25,12 @@ std::filesystem::path userFolder(const char* variable, const char* fallback) {
   return std::filesystem::path(home ? home : ".") / fallback / "windloom";
 }
 
+/// Shortcuts of files work while a field is typed into, too.
+bool leavesField(const InputEvent& event, Key key) {
+  const bool file = key == Key::S || key == Key::N || key == Key::O || key == Key::Q;
+  return file && translateModifiers(event.modifiers).ctrl;
+}
+
 }  // namespace
 
 Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
@@ -178,11 +184,20 @@ void App::passKeys() {
     if (key == Key::None) continue;
     if (event.action == GLFW_RELEASE)
       m_workspace.keyReleased(key);
-    else if (key == Key::Escape && popup && !m_dialogs.open())
+    else if (io.WantTextInput && !m_dialogs.open() && !popup && event.action == GLFW_PRESS && leavesField(event, key)) {
+      // The field takes what was typed before the file is written.
+      ImGui::ClearActiveID();
+      m_afterFields = {key, translateModifiers(event.modifiers), false};
+    } else if (key == Key::Escape && popup && !m_dialogs.open())
       ImGui::ClosePopupToLevel(0, false);  // ImGui leaves menus open
     else if (!busy)
       m_workspace.keyPressed({key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT});
   }
+}
+
+void App::runAfterFields() {
+  if (m_afterFields.key != Key::None) m_workspace.keyPressed(m_afterFields);
+  m_afterFields = {};
 }
 
 void App::openDropped() {
@@ -225,6 +240,7 @@ void App::frame() {
   const ImGuiIO& io = ImGui::GetIO();
   m_workspace.tick(seconds, {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt});
   drawInterface();
+  runAfterFields();
   m_window->endFrame();
   drawPicture(seconds);
   if (m_line.screenshot.empty())

@@ -49,6 +49,7 @@ class App {
 
   void frame();
   void passKeys();
+  void runAfterFields();
   void drawInterface();
   void drawAreas(PanelContext& context);
   void drawBottom(PanelContext& context, ImVec2 min, ImVec2 max);
@@ -85,6 +86,7 @@ class App {
   bool m_helpOpen = false, m_aboutOpen = false, m_lookChanged = false, m_pictureTold = false;
 
   Clock::time_point m_lastFrame = Clock::now();
+  KeyPress m_afterFields;  // a shortcut that waits for a field to take its text
   double m_idleSeconds = 0;  // since something last happened
   int m_frames = 0;
   std::string m_title;

@@ -53,8 +53,12 @@ std::vector<Item> machineItems(const PanelContext& context) {
                                2) +
                          "%, fastest air " + fixed(status.wind.maxSpeed, 1) + " m/s, " +
                          fixed(status.wind.cfl, 1) + " cells a step"});
-    items.push_back({"frame", std::string("frame ") + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
-                     std::string("Drawing on the GPU: ") + fixed(status.frame.gpuMs, 1) + " ms"});
+    std::string passes = std::string("Drawing the scene: ") + fixed(status.frame.gpuMs, 1) + " ms";
+    for (const auto& [name, milliseconds] : status.frame.passMs)
+      passes += std::string("\n") + name + " " + fixed(milliseconds, 1) + " ms";
+    items.push_back({"frame",
+                     std::string("frame ") + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
+                     passes});
     items.push_back({"blades", millions(status.frame.bladesDrawn) + " / " + millions(status.frame.bladesTotal) + " blades",
                      "Grass blades drawn of those that the project asks for"});
     items.push_back({"quality", facts.fullQuality ? "full quality" : std::string("quality ") + fixed(double(facts.quality) * 100, 0) + "%",
@@ -115,6 +119,7 @@ void StatusBar::draw(PanelContext& context) {
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.help.c_str());
     markItem("status/" + item.name);
     look().map.fact("status." + item.name, item.text);
+    look().map.fact("status." + item.name + ".help", item.help);
     x += textWidth(item.text) + gap;
   }
   ImGui::PopFont();

@@ -1,5 +1,6 @@
 #include "editor/viewport/handles.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -236,7 +237,8 @@ void drawPreview(const ViewArea& area, const Workspace& workspace, const Preview
   }
   for (const auto& label : shapes.labels) {
     const ImVec2 at = area.at(label.pixel), size = ImGui::CalcTextSize(label.text.c_str());
-    const ImVec2 corner{at.x + scaled(16), at.y + scaled(14)};
+    // Kept inside: near the edge the text moves to where it can be read.
+    const ImVec2 corner{std::min(at.x, area.max.x - size.x - scaled(8)), std::min(at.y, area.max.y - size.y - scaled(6))};
     list.AddRectFilled({corner.x - scaled(4), corner.y - scaled(2)}, {corner.x + size.x + scaled(4), corner.y + size.y + scaled(2)},
                        packed(look().palette.overlayBack), scaled(3));
     list.AddText(corner, packed(look().palette.overlayText), label.text.c_str());

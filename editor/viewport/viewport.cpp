@@ -72,11 +72,11 @@ void Viewport::passMouse(Workspace& workspace) {
 
 void Viewport::drawOver(Workspace& workspace, bool hasScene) {
   drawHandles(m_area, workspace, !hasScene || !overlays.arrows);
-  drawPreview(m_area, workspace, workspace.tools.shapes(workspace.context()));
   scaleBar(m_area, workspace);
   const bool overAxes = axisSign(m_area, workspace);
   const bool overLegend = speedLegend(m_area, overlays.speedRange);
   m_overInstrument = overAxes || overLegend;
+  drawPreview(m_area, workspace, workspace.tools.shapes(workspace.context()));
   if (workspace.document.project().graph->arrows.empty() && !workspace.tools.busy()) firstTreeHint(m_area);
 }
 

@@ -1,5 +1,6 @@
 #include "editor/widgets/number_field.hpp"
 
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -23,6 +24,15 @@ void startTyping(ImGuiID field, std::string text) {
   typing.starting = true;
   typing.text = std::move(text);
   typing.frame = ImGui::GetFrameCount();
+}
+
+/// Tab enters the value and goes on to the next number. ImGui's own order of fields knows only those that are being
+/// typed into, so it is turned off (PushAllowKeyboardFocus).
+bool leaveByTab() {
+  if (!ImGui::IsItemActive() || !pressed(ImGuiKey_Tab)) return false;
+  ImGui::ClearActiveID();
+  look().typing.nextAt = ImGui::GetFrameCount();
+  return true;
 }
 
 void drawFrame(const std::string& text, bool mixed, std::string_view unit, bool hovered, bool active) {
@@ -50,13 +60,15 @@ NumberEdit typeNumber(const NumberFormat& format) {
   NumberEdit edit;
   typing.frame = ImGui::GetFrameCount();
   if (typing.starting) ImGui::SetKeyboardFocusHere();
+  ImGui::PushAllowKeyboardFocus(false);
   const bool entered = ImGui::InputText("##typed", &typing.text,
                                         ImGuiInputTextFlags_AutoSelectAll | ImGuiInputTextFlags_EnterReturnsTrue);
+  ImGui::PopAllowKeyboardFocus();
   if (ImGui::IsItemActive()) typing.starting = false;
-  if (typing.starting || !(entered || ImGui::IsItemDeactivated())) return edit;
+  const bool left = leaveByTab();
+  if (typing.starting || !(entered || left || ImGui::IsItemDeactivated())) return edit;
   typing.field = 0;
   if (pressed(ImGuiKey_Escape)) return edit;
-  if (pressed(ImGuiKey_Tab)) typing.nextAt = ImGui::GetFrameCount();
   const Result<double> value = evaluateArithmetic(typing.text, format.unit);
   if (!value) {
     edit.problem = value.error().text();
@@ -130,7 +142,9 @@ bool textField(const char* name, std::string& value, const char* hint) {
   const ImGuiID field = ImGui::GetID("##text");
   std::string untouched = value;
   std::string& text = typing.field == field ? typing.text : untouched;
+  ImGui::PushAllowKeyboardFocus(false);
   ImGui::InputTextWithHint("##text", hint, &text, ImGuiInputTextFlags_AutoSelectAll);
+  ImGui::PopAllowKeyboardFocus();
   if (ImGui::IsItemActive()) {
     if (typing.field != field) typing.text = untouched;
     typing.field = field;
@@ -138,7 +152,8 @@ bool textField(const char* name, std::string& value, const char* hint) {
     typing.frame = ImGui::GetFrameCount();
   }
   bool entered = false;
-  if (ImGui::IsItemDeactivated() && typing.field == field) {
+  const bool left = leaveByTab();
+  if ((left || ImGui::IsItemDeactivated()) && typing.field == field) {
     typing.field = 0;
     entered = !pressed(ImGuiKey_Escape) && text != value;
     if (entered) value = text;

@@ -155,7 +155,7 @@ class Editor:
         self.xdotool("key", *keys)
 
     def type(self, text):
-        self.xdotool("type", text)
+        self.xdotool("type", "--", text)
 
     def choose_path(self, path):
         """Types a path into the open file dialog and accepts it."""
