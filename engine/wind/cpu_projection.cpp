@@ -56,8 +56,14 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   const double area = double(f.grid.hx) * double(f.grid.hz);
   const double air = static_cast<double>(std::max<std::size_t>(f.grid.airCells, 1));
   const double cells = double(f.width()) * double(f.height());
-  const RowFindings before =
-      runPass(pool, f.height(), [&](int begin, int end) { return predictRowsOf(f, multigrid.flux(), begin, end); });
+  const auto predict = [&] {
+    return runPass(pool, f.height(), [&](int begin, int end) { return predictRowsOf(f, multigrid.flux(), begin, end); });
+  };
+  RowFindings before = predict();
+  if (!(before.predictedSquares <= before.fluxSquares)) {  // the last pressure is of no use: begin from nothing
+    f.phi.clear();
+    before = predict();
+  }
   constexpr double kRoom = 0.95;  // rounding in the last gradient adds to the residual
   const double tolerance = kRoom * double(f.solver.divergenceTolerance);
   const double floor = double(WIND_ROUNDING_FLOOR) * double(std::max(f.grid.hx, f.grid.hz));
