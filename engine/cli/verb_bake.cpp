@@ -152,7 +152,7 @@ int runBake(const Options& options) {
   }
   if (!report) return reportError(report.error(), options);
   if (report->cancelled) {
-    std::fprintf(stderr, "windloom: the bake was cancelled; nothing was written\n");
+    reportError(makeError(ErrorKind::Machine, "the bake was cancelled; nothing was written"), options);
     return kExitInterrupted;
   }
   const std::chrono::duration<double> wall = std::chrono::steady_clock::now() - start;

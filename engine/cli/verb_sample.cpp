@@ -136,7 +136,10 @@ int sample(const Options& options) {
     progress.show("simulating", time / options.time);
     return interrupted();
   });
-  if (!finished) return kExitInterrupted;
+  if (!finished) {
+    reportError(makeError(ErrorKind::Machine, "cancelled before the moment was reached"), options);
+    return kExitInterrupted;
+  }
   if (options.json) {
     printSampleJson(options, simulation, *places);
   } else {
