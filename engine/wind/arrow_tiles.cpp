@@ -16,8 +16,12 @@ struct TileBox {
 
 TileBox tilesNear(const WindGrid& grid, const ArrowTiles& tiles, const ArrowForce& arrow) {
   const glm::dvec2 cellSize(grid.hx, grid.hz);
-  const glm::dvec2 low = (glm::dvec2(glm::min(arrow.from, arrow.to)) - double(arrow.radius) - glm::dvec2(grid.mapping.minCorner)) / cellSize;
-  const glm::dvec2 high = (glm::dvec2(glm::max(arrow.from, arrow.to)) + double(arrow.radius) - glm::dvec2(grid.mapping.minCorner)) / cellSize;
+  const glm::dvec2 low =
+      (glm::dvec2(glm::min(arrow.from, arrow.to)) - double(arrow.radius) - glm::dvec2(grid.mapping.minCorner)) /
+      cellSize;
+  const glm::dvec2 high =
+      (glm::dvec2(glm::max(arrow.from, arrow.to)) + double(arrow.radius) - glm::dvec2(grid.mapping.minCorner)) /
+      cellSize;
   const auto tile = [&](double cell, int count) {
     return static_cast<int>(std::clamp(std::floor(cell / tiles.cellsPerSide), -1.0, static_cast<double>(count)));
   };
@@ -67,7 +71,8 @@ std::size_t countArrows(const WindGrid& grid, std::span<const ArrowForce> arrows
 
 void binArrows(const WindGrid& grid, std::span<const ArrowForce> arrows, ArrowTiles& tiles) {
   int cellsPerSide = WIND_TILE;
-  while (countArrows(grid, arrows, cellsPerSide, tiles) > kMaxEntries && tiles.columns * tiles.rows > 1) cellsPerSide *= 2;
+  while (countArrows(grid, arrows, cellsPerSide, tiles) > kMaxEntries && tiles.columns * tiles.rows > 1)
+    cellsPerSide *= 2;
   for (std::size_t t = 0; t + 1 < tiles.start.size(); ++t) tiles.start[t + 1] += tiles.start[t];
   tiles.indices.resize(tiles.start.back());
   std::vector<std::uint32_t> next(tiles.start.begin(), tiles.start.end() - 1);

@@ -15,7 +15,7 @@ namespace windloom {
 struct ArrowTiles {
   int cellsPerSide = 0;  ///< WIND_TILE, doubled as often as it takes to keep the lists below 8 million entries
   int columns = 0, rows = 0;
-  std::vector<std::uint32_t> start;    ///< columns * rows + 1
+  std::vector<std::uint32_t> start;  ///< columns * rows + 1
   std::vector<std::uint32_t> indices;
 };
 

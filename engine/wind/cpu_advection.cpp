@@ -31,11 +31,11 @@ struct AdvectionJob {
   float perX, perZ;  // m/s to cells a step
   bool xFaces;
   bool correctable;         // MacCormack: lowest and highest are wanted
-  const CpuPlane* carried;    // q
-  CpuPlane* predicted;        // q'
-  CpuPlane* lowest;           // of the four entries around x', both q' where nothing is to be corrected
+  const CpuPlane* carried;  // q
+  CpuPlane* predicted;      // q'
+  CpuPlane* lowest;         // of the four entries around x', both q' where nothing is to be corrected
   CpuPlane* highest;
-  CpuPlane* corrected;        // q*
+  CpuPlane* corrected;  // q*
 };
 
 }  // namespace windloom
@@ -70,20 +70,26 @@ HWY_ATTR Corners gatherCorners(const float* base, int stride, hn::Vec<IntTag> xC
   const IntTag di;
   const auto index = hn::Add(hn::Mul(zCell, hn::Set(di, stride)), xCell);
   const float* above = base + stride;
-  return {hn::GatherIndex(d, base, index), hn::GatherIndex(d, base + 1, index), hn::GatherIndex(d, above, index),
-          hn::GatherIndex(d, above + 1, index), hn::Zero(d), hn::Zero(d)};
+  return {hn::GatherIndex(d, base, index),
+          hn::GatherIndex(d, base + 1, index),
+          hn::GatherIndex(d, above, index),
+          hn::GatherIndex(d, above + 1, index),
+          hn::Zero(d),
+          hn::Zero(d)};
 }
 
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3
 /// Two vectors of a row in a line, read at places 0 to 2 N - 1.
 struct RowWindow {
   Floats first, second;
-  HWY_ATTR HWY_INLINE explicit RowWindow(const float* at) : first(hn::LoadU(FloatTag(), at)), second(hn::LoadU(FloatTag(), at + hn::Lanes(FloatTag()))) {}
+  HWY_ATTR HWY_INLINE explicit RowWindow(const float* at)
+      : first(hn::LoadU(FloatTag(), at)), second(hn::LoadU(FloatTag(), at + hn::Lanes(FloatTag()))) {}
   [[nodiscard]] HWY_ATTR HWY_INLINE Floats read(hn::Vec<IntTag> place) const {
 #if HWY_TARGET == HWY_AVX3
     return Floats{_mm512_permutex2var_ps(first.raw, place.raw, second.raw)};
 #else
-    const auto low = _mm256_permutevar8x32_ps(first.raw, place.raw), high = _mm256_permutevar8x32_ps(second.raw, place.raw);
+    const auto low = _mm256_permutevar8x32_ps(first.raw, place.raw),
+               high = _mm256_permutevar8x32_ps(second.raw, place.raw);
     return Floats{_mm256_blendv_ps(low, high, _mm256_castsi256_ps(_mm256_slli_epi32(place.raw, 28)))};
 #endif
   }
@@ -97,7 +103,8 @@ HWY_ATTR HWY_INLINE Corners cornersOf(const float* base, int stride, hn::Vec<Int
   constexpr int kWindow = 2 * static_cast<int>(HWY_MAX_BYTES / sizeof(float)), kBack = kWindow / 4;
   const int xFirst = hn::GetLane(xCell) - kBack, zFirst = hn::GetLane(zCell);
   const auto place = hn::Sub(xCell, hn::Set(di, xFirst)), row = hn::Sub(zCell, hn::Set(di, zFirst));
-  const auto within = hn::And(hn::Eq(hn::And(place, hn::Set(di, kWindow - 1)), place), hn::Lt(place, hn::Set(di, kWindow - 1)));
+  const auto within =
+      hn::And(hn::Eq(hn::And(place, hn::Set(di, kWindow - 1)), place), hn::Lt(place, hn::Set(di, kWindow - 1)));
   const auto next = hn::Add(place, hn::Set(di, 1));
   const float* window = base + static_cast<std::ptrdiff_t>(zFirst) * stride + xFirst;
   const auto level = hn::Eq(row, hn::Zero(di));
@@ -105,13 +112,19 @@ HWY_ATTR HWY_INLINE Corners cornersOf(const float* base, int stride, hn::Vec<Int
     const RowWindow low(window), high(window + stride);
     return {low.read(place), low.read(next), high.read(place), high.read(next), hn::Zero(d), hn::Zero(d)};
   }
-  if (!hn::AllTrue(di, hn::And(within, hn::Lt(hn::Abs(row), hn::Set(di, 2))))) return gatherCorners(base, stride, xCell, zCell);
+  if (!hn::AllTrue(di, hn::And(within, hn::Lt(hn::Abs(row), hn::Set(di, 2)))))
+    return gatherCorners(base, stride, xCell, zCell);
   const auto middle = hn::RebindMask(d, level), upper = hn::RebindMask(d, hn::Gt(row, hn::Zero(di)));
   const RowWindow r0(window - stride), r1(window), r2(window + stride), r3(window + 2 * stride);
-  const auto pick = [&](Floats a, Floats b, Floats c) HWY_ATTR { return hn::IfThenElse(upper, c, hn::IfThenElse(middle, b, a)); };
+  const auto pick = [&](Floats a, Floats b, Floats c)
+                        HWY_ATTR { return hn::IfThenElse(upper, c, hn::IfThenElse(middle, b, a)); };
   const Floats low1 = r1.read(place), low2 = r2.read(place), high1 = r1.read(next), high2 = r2.read(next);
-  return {pick(r0.read(place), low1, low2), pick(r0.read(next), high1, high2), pick(low1, low2, r3.read(place)),
-          pick(high1, high2, r3.read(next)), hn::Zero(d), hn::Zero(d)};
+  return {pick(r0.read(place), low1, low2),
+          pick(r0.read(next), high1, high2),
+          pick(low1, low2, r3.read(place)),
+          pick(high1, high2, r3.read(next)),
+          hn::Zero(d),
+          hn::Zero(d)};
 }
 #else
 HWY_ATTR Corners cornersOf(const float* base, int stride, hn::Vec<IntTag> xCell, hn::Vec<IntTag> zCell) {
@@ -126,10 +139,12 @@ struct Sampler {
   Floats xLow, xHigh, zLow, zHigh, xLast, zLast, offsetX, offsetZ, periodX, periodZ;
   bool wrapX, wrapZ;
 
-  HWY_ATTR Sampler(const CpuPlane& plane, const AdvectionAxis& x, const AdvectionAxis& z, float shiftX, float shiftZ, bool carried)
+  HWY_ATTR Sampler(const CpuPlane& plane, const AdvectionAxis& x, const AdvectionAxis& z, float shiftX, float shiftZ,
+                   bool carried)
       : base(plane.row(0)), stride(plane.stride()), wrapX(x.periodic), wrapZ(z.periodic) {
     const FloatTag d;
-    const auto bounds = [&](const AdvectionAxis& axis, float shift, int count, Floats& low, Floats& high, Floats& last) HWY_ATTR {
+    const auto bounds = [&](const AdvectionAxis& axis, float shift, int count, Floats& low, Floats& high,
+                            Floats& last) HWY_ATTR {
       low = hn::Set(d, std::max((carried ? axis.low : 0.0f) - shift, -1.0f));
       high = hn::Set(d, std::min((carried ? axis.high : axis.length) - shift, static_cast<float>(count)));
       last = hn::Set(d, static_cast<float>(count - 1));
@@ -160,9 +175,12 @@ struct Sampler {
 class RowTracer {
  public:
   HWY_ATTR explicit RowTracer(const AdvectionJob& job)
-      : m_job(job), m_u(job.velocity->u, job.x, job.z, 0.0f, 0.5f, false), m_w(job.velocity->w, job.x, job.z, 0.5f, 0.0f, false) {}
+      : m_job(job),
+        m_u(job.velocity->u, job.x, job.z, 0.0f, 0.5f, false),
+        m_w(job.velocity->w, job.x, job.z, 0.5f, 0.0f, false) {}
 
-  /// Where the air at the faces from (i, k) is after a step forwards (sign 1) or was before one (-1), by the midpoint rule.
+  /// Where the air at the faces from (i, k) is after a step forwards (sign 1) or was before one (-1), by the midpoint
+  /// rule.
   HWY_ATTR Place trace(int i, int k, float sign) const {
     const FloatTag d;
     const Floats perX = hn::Set(d, m_job.perX * sign), perZ = hn::Set(d, m_job.perZ * sign), half = hn::Set(d, 0.5f);
@@ -177,8 +195,10 @@ class RowTracer {
       ownX = meanOfFour(u.row(k - 1) + i, u.row(k) + i);
       ownZ = hn::LoadU(d, w.row(k) + i);
     }
-    const Place middle = {hn::Add(start.x, hn::Mul(half, hn::Mul(ownX, perX))), hn::Add(start.z, hn::Mul(half, hn::Mul(ownZ, perZ)))};
-    return {hn::Add(start.x, hn::Mul(m_u.at(middle).value(), perX)), hn::Add(start.z, hn::Mul(m_w.at(middle).value(), perZ))};
+    const Place middle = {hn::Add(start.x, hn::Mul(half, hn::Mul(ownX, perX))),
+                          hn::Add(start.z, hn::Mul(half, hn::Mul(ownZ, perZ)))};
+    return {hn::Add(start.x, hn::Mul(m_u.at(middle).value(), perX)),
+            hn::Add(start.z, hn::Mul(m_w.at(middle).value(), perZ))};
   }
 
   /// Which places lie outside the field behind an open border.
@@ -186,15 +206,18 @@ class RowTracer {
     const FloatTag d;
     const Floats infinity = hn::Set(d, 3e38f);
     const auto bound = [&](bool open, float value) HWY_ATTR { return open ? hn::Set(d, value) : infinity; };
-    const Mask x = hn::Or(hn::Gt(hn::Neg(place.x), bound(m_job.x.openLow, 0.0f)), hn::Gt(place.x, bound(m_job.x.openHigh, m_job.x.length)));
-    const Mask z = hn::Or(hn::Gt(hn::Neg(place.z), bound(m_job.z.openLow, 0.0f)), hn::Gt(place.z, bound(m_job.z.openHigh, m_job.z.length)));
+    const Mask x = hn::Or(hn::Gt(hn::Neg(place.x), bound(m_job.x.openLow, 0.0f)),
+                          hn::Gt(place.x, bound(m_job.x.openHigh, m_job.x.length)));
+    const Mask z = hn::Or(hn::Gt(hn::Neg(place.z), bound(m_job.z.openLow, 0.0f)),
+                          hn::Gt(place.z, bound(m_job.z.openHigh, m_job.z.length)));
     return hn::Or(x, z);
   }
 
  private:
   static HWY_ATTR Floats meanOfFour(const float* low, const float* high) {
     const FloatTag d;
-    return hn::Mul(hn::Set(d, 0.25f), hn::Add(hn::Add(hn::LoadU(d, low), hn::LoadU(d, low + 1)), hn::Add(hn::LoadU(d, high), hn::LoadU(d, high + 1))));
+    return hn::Mul(hn::Set(d, 0.25f), hn::Add(hn::Add(hn::LoadU(d, low), hn::LoadU(d, low + 1)),
+                                              hn::Add(hn::LoadU(d, high), hn::LoadU(d, high + 1))));
   }
   const AdvectionJob& m_job;
   Sampler m_u, m_w;
@@ -235,7 +258,8 @@ HWY_ATTR void correctRows(const AdvectionJob& job, int begin, int end) {
       const Floats returned = predicted.at(forth).value();
       const Floats first = hn::LoadU(d, job.predicted->row(k) + i), q = hn::LoadU(d, job.carried->row(k) + i);
       const Floats corrected = hn::Add(first, hn::Mul(half, hn::Sub(q, returned)));
-      const Floats limited = hn::Min(hn::Max(corrected, hn::LoadU(d, job.lowest->row(k) + i)), hn::LoadU(d, job.highest->row(k) + i));
+      const Floats limited =
+          hn::Min(hn::Max(corrected, hn::LoadU(d, job.lowest->row(k) + i)), hn::LoadU(d, job.highest->row(k) + i));
       hn::StoreU(hn::IfThenElse(tracer.left(forth), first, limited), d, job.corrected->row(k) + i);
     }
   }
@@ -281,13 +305,13 @@ AdvectionJob jobOf(CpuFields& f, bool xFaces) {
 
 void advect(CpuFields& f, ThreadPool& pool) {
   const AdvectionJob onX = jobOf(f, true), onZ = jobOf(f, false);
-  forRowTasks(pool, f.height() + 1, [&](int, int begin, int end) {
+  forRows(pool, f.width(), f.height() + 1, [&](int, int begin, int end) {
     HWY_DYNAMIC_DISPATCH(predictRows)(onX, begin, std::min(end, f.height()));
     HWY_DYNAMIC_DISPATCH(predictRows)(onZ, begin, end);
   });
   if (!onX.correctable) return;
   fillGhosts(f, f.moved, OpenGhost::Ambient);
-  forRowTasks(pool, f.height() + 1, [&](int, int begin, int end) {
+  forRows(pool, f.width(), f.height() + 1, [&](int, int begin, int end) {
     HWY_DYNAMIC_DISPATCH(correctRows)(onX, begin, std::min(end, f.height()));
     HWY_DYNAMIC_DISPATCH(correctRows)(onZ, begin, end);
   });

@@ -44,17 +44,27 @@ struct Prepared {
   float radiusSquare, doubleInverseRadius, sharpness, rate, strength, swirl, zLow, zHigh;
   bool speedDrive;
   explicit Prepared(const ArrowForce& a)
-      : from(a.from), along(a.to - a.from), to(a.to), direction(a.direction), radiusSquare(a.radius * a.radius),
-        doubleInverseRadius(2 / a.radius), sharpness(-2 / (a.radius * a.radius)),
-        rate(std::min(std::abs(a.factor), 1.0f) / std::max(a.response, WIND_MIN_RESPONSE)), strength(a.strength),
-        swirl(a.swirl), zLow(std::min(a.from.y, a.to.y) - a.radius), zHigh(std::max(a.from.y, a.to.y) + a.radius),
+      : from(a.from),
+        along(a.to - a.from),
+        to(a.to),
+        direction(a.direction),
+        radiusSquare(a.radius * a.radius),
+        doubleInverseRadius(2 / a.radius),
+        sharpness(-2 / (a.radius * a.radius)),
+        rate(std::min(std::abs(a.factor), 1.0f) / std::max(a.response, WIND_MIN_RESPONSE)),
+        strength(a.strength),
+        swirl(a.swirl),
+        zLow(std::min(a.from.y, a.to.y) - a.radius),
+        zHigh(std::max(a.from.y, a.to.y) + a.radius),
         speedDrive(a.drive == ARROW_DRIVE_SPEED) {
     const float square = glm::dot(along, along);
     inverseSquare = square > 0 ? 1 / square : 0.0f;
   }
 };
 
-HWY_ATTR HWY_INLINE void accumulate(FloatTag d, float* sum, Floats value) { hn::Store(hn::Add(hn::Load(d, sum), value), d, sum); }
+HWY_ATTR HWY_INLINE void accumulate(FloatTag d, float* sum, Floats value) {
+  hn::Store(hn::Add(hn::Load(d, sum), value), d, sum);
+}
 HWY_ATTR HWY_INLINE Floats dot(FloatTag d, Floats x, Floats z, glm::vec2 v) {
   return hn::Add(hn::Mul(x, hn::Set(d, v.x)), hn::Mul(z, hn::Set(d, v.y)));
 }
@@ -68,11 +78,13 @@ HWY_ATTR void addDrive(const Prepared& a, const RowCells& cells, RowSums& sums) 
     const Floats px = hn::Sub(hn::Load(d, cells.x + n), hn::Set(d, a.from.x));
     const Floats part = hn::Mul(dot(d, px, pz, a.along), hn::Set(d, a.inverseSquare));
     const Floats t = hn::Min(hn::Max(part, hn::Zero(d)), hn::Set(d, 1.0f));
-    const Floats ex = hn::Sub(px, hn::Mul(t, hn::Set(d, a.along.x))), ez = hn::Sub(pz, hn::Mul(t, hn::Set(d, a.along.y)));
+    const Floats ex = hn::Sub(px, hn::Mul(t, hn::Set(d, a.along.x))),
+                 ez = hn::Sub(pz, hn::Mul(t, hn::Set(d, a.along.y)));
     const Floats d2 = hn::Add(hn::Mul(ex, ex), hn::Mul(ez, ez));
     const auto inside = hn::Lt(d2, radiusSquare);
     if (hn::AllFalse(d, inside)) continue;
-    const Floats g = hn::IfThenElseZero(inside, expNegative(d, hn::Mul(hn::Min(d2, radiusSquare), hn::Set(d, a.sharpness))));
+    const Floats g =
+        hn::IfThenElseZero(inside, expNegative(d, hn::Mul(hn::Min(d2, radiusSquare), hn::Set(d, a.sharpness))));
     if (a.speedDrive) {
       const Floats s = dot(d, hn::Load(d, cells.vx + n), hn::Load(d, cells.vz + n), direction);
       const Floats rate = hn::Mul(g, hn::Set(d, a.rate));
@@ -157,8 +169,8 @@ HWY_ATTR void arrowRow(const CpuFields& f, RowStrip strip, std::span<const Prepa
   finishRow(cells, sums, f.dt, strip.count, outX, outZ);
 }
 
-HWY_ATTR void arrowBlock(const CpuFields& f, CellBlock block, std::span<const ArrowForce> arrows, std::span<const std::uint32_t> indices,
-                         float* incrementX, float* incrementZ, int stride) {
+HWY_ATTR void arrowBlock(const CpuFields& f, CellBlock block, std::span<const ArrowForce> arrows,
+                         std::span<const std::uint32_t> indices, float* incrementX, float* incrementZ, int stride) {
   thread_local std::vector<Prepared> prepared;
   prepared.clear();
   for (const std::uint32_t n : indices) prepared.emplace_back(arrows[n]);
@@ -166,7 +178,8 @@ HWY_ATTR void arrowBlock(const CpuFields& f, CellBlock block, std::span<const Ar
     float* outX = incrementX + static_cast<std::ptrdiff_t>(k - block.kBegin) * stride;
     float* outZ = incrementZ + static_cast<std::ptrdiff_t>(k - block.kBegin) * stride;
     for (int i = block.iBegin; i < block.iEnd; i += kLanes) {
-      arrowRow(f, {i, k, std::min(kLanes, block.iEnd - i)}, prepared, outX + (i - block.iBegin), outZ + (i - block.iBegin));
+      arrowRow(f, {i, k, std::min(kLanes, block.iEnd - i)}, prepared, outX + (i - block.iBegin),
+               outZ + (i - block.iBegin));
     }
   }
 }

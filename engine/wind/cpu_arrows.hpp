@@ -12,8 +12,8 @@ struct CellBlock {
   int iBegin, iEnd, kBegin, kEnd;
 };
 
-/// Sets (not adds) the increments, m/s, of the block's cells from the arrows named by `indices`: cell (iBegin, kBegin) at
-/// incrementX[0], the next row `stride` further.
+/// Sets (not adds) the increments, m/s, of the block's cells from the arrows named by `indices`: cell (iBegin, kBegin)
+/// at incrementX[0], the next row `stride` further.
 void arrowIncrements(const CpuFields& fields, CellBlock block, std::span<const ArrowForce> arrows,
                      std::span<const std::uint32_t> indices, float* incrementX, float* incrementZ, int stride);
 

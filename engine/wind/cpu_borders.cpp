@@ -67,11 +67,13 @@ void zeroRuns(const CpuRuns& runs, CpuPlane& plane) {
 
 void fillGhosts(const CpuFields& fields, CpuVelocity& velocity, OpenGhost open) {
   const WindGrid& g = fields.grid;
-  const auto wall = [&](float WallSpeeds::* side) { return fields.noSlip ? &((*fields.noSlip).*side) : nullptr; };
+  const auto wall = [&](float WallSpeeds::*side) { return fields.noSlip ? &((*fields.noSlip).*side) : nullptr; };
   const glm::vec2 a = fields.ambient;
   ghostColumns(velocity.u, ruleOf(g.xMin, a.x, open, nullptr), ruleOf(g.xMax, a.x, open, nullptr), g.width);
-  ghostRows(velocity.u, ruleOf(g.zMin, a.x, open, wall(&WallSpeeds::zMin)), ruleOf(g.zMax, a.x, open, wall(&WallSpeeds::zMax)), g.height);
-  ghostColumns(velocity.w, ruleOf(g.xMin, a.y, open, wall(&WallSpeeds::xMin)), ruleOf(g.xMax, a.y, open, wall(&WallSpeeds::xMax)), g.width);
+  ghostRows(velocity.u, ruleOf(g.zMin, a.x, open, wall(&WallSpeeds::zMin)),
+            ruleOf(g.zMax, a.x, open, wall(&WallSpeeds::zMax)), g.height);
+  ghostColumns(velocity.w, ruleOf(g.xMin, a.y, open, wall(&WallSpeeds::xMin)),
+               ruleOf(g.xMax, a.y, open, wall(&WallSpeeds::xMax)), g.width);
   ghostRows(velocity.w, ruleOf(g.zMin, a.y, open, nullptr), ruleOf(g.zMax, a.y, open, nullptr), g.height);
 }
 

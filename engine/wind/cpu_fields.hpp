@@ -5,17 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/thread_pool.hpp"
 #include "engine/wind/arrow_tiles.hpp"
 #include "engine/wind/cpu_plane.hpp"
+#include "engine/wind/cpu_tasks.hpp"
 #include "engine/wind/gusts.hpp"
 #include "engine/wind/wind_grid.hpp"
 #include "engine/wind/wind_solver.hpp"
 
 namespace windloom {
-
-/// Rows a task works on. Fixed, so that sums over tasks are the same for any number of threads.
-inline constexpr int kRowsPerTask = 16;
 
 /// What is beyond this, or no number, isn't healthy.
 inline constexpr float kLargestHealthy = 3e38f;
@@ -55,31 +52,21 @@ struct CpuFields {
   AmbientWind ambientSettings;
   std::optional<WallSpeeds> noSlip;
   float dt = 0;
-  glm::vec2 ambient{0};       // without gusts, m/s
-  float gustAmplitude = 0;    // m/s
-  std::vector<float> gustAlong, gustAcross;  // the gust table's components, with its first row and column again at the end
+  glm::vec2 ambient{0};     // without gusts, m/s
+  float gustAmplitude = 0;  // m/s
+  std::vector<float> gustAlong,
+      gustAcross;  // the gust table's components, with its first row and column again at the end
 
-  CpuVelocity velocity;                   // the field that left the last step
-  CpuVelocity forced, moved, corrected;   // q; q', then q*; room for the correction
-  CpuVelocity lowest, highest;            // bounds of the correction
-  CpuPlane phi;                           // m^2/s
-  CpuPlane speedX, speedZ;                // cell velocity
-  CpuRuns blockedX, blockedZ;             // faces kept at 0
-  CpuRuns solidNodes;                     // nodes that touch a solid cell: no vorticity there
+  CpuVelocity velocity;                  // the field that left the last step
+  CpuVelocity forced, moved, corrected;  // q; q', then q*; room for the correction
+  CpuVelocity lowest, highest;           // bounds of the correction
+  CpuPlane phi;                          // m^2/s
+  CpuPlane speedX, speedZ;               // cell velocity
+  CpuRuns blockedX, blockedZ;            // faces kept at 0
+  CpuRuns solidNodes;                    // nodes that touch a solid cell: no vorticity there
 
   [[nodiscard]] int width() const { return grid.width; }
   [[nodiscard]] int height() const { return grid.height; }
 };
-
-/// Calls body(task, rowBegin, rowEnd) for rows [0, rows) in tasks of kRowsPerTask.
-template <class Body>
-void forRowTasks(ThreadPool& pool, int rows, const Body& body) {
-  const int tasks = (rows + kRowsPerTask - 1) / kRowsPerTask;
-  pool.parallelFor(tasks, [&](int task) {
-    const int begin = task * kRowsPerTask;
-    body(task, begin, begin + kRowsPerTask < rows ? begin + kRowsPerTask : rows);
-  });
-}
-inline int rowTasks(int rows) { return (rows + kRowsPerTask - 1) / kRowsPerTask; }
 
 }  // namespace windloom

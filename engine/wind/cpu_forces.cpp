@@ -1,5 +1,5 @@
-// Vorticity confinement: Fedkiw, Stam & Jensen, Visual Simulation of Smoke, 2001. Deviation: bounded by the local speed.
-// Compiled for several instruction sets, chosen when the program runs (Highway).
+// Vorticity confinement: Fedkiw, Stam & Jensen, Visual Simulation of Smoke, 2001. Deviation: bounded by the local
+// speed. Compiled for several instruction sets, chosen when the program runs (Highway).
 #include "engine/wind/cpu_forces.hpp"
 
 #include <algorithm>
@@ -58,7 +58,8 @@ HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, const float* node
   const FloatTag d;
   const float h = std::sqrt(f.grid.hx * f.grid.hz), quarterX = 0.5f / f.grid.hx, quarterZ = 0.5f / f.grid.hz;
   const Floats halfX = hn::Set(d, quarterX), halfZ = hn::Set(d, quarterZ), tiny = hn::Set(d, 1e-5f / h);
-  const Floats soft = hn::Set(d, 0.25f * WIND_CONFINEMENT_SOFTNESS * std::sqrt(2 * (quarterX * quarterX + quarterZ * quarterZ)));
+  const Floats soft =
+      hn::Set(d, 0.25f * WIND_CONFINEMENT_SOFTNESS * std::sqrt(2 * (quarterX * quarterX + quarterZ * quarterZ)));
   const Floats scale = hn::Set(d, 0.25f * f.dt * f.solver.confinement * h);
   const float growth = 1 + WIND_CONFINEMENT_GAIN * f.dt;
   const Floats limit = hn::Set(d, WIND_CONFINEMENT_LIMIT * WIND_CONFINEMENT_LIMIT), gain = hn::Set(d, growth * growth);
@@ -68,10 +69,12 @@ HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, const float* node
     const Floats low = hn::LoadU(d, nodesLow + i), lowNext = hn::LoadU(d, nodesLow + i + 1);
     const Floats high = hn::LoadU(d, nodesHigh + i), highNext = hn::LoadU(d, nodesHigh + i + 1);
     const Floats a = hn::Abs(low), b = hn::Abs(lowNext), c = hn::Abs(high), e = hn::Abs(highNext);
-    const Floats etaX = hn::Mul(hn::Sub(hn::Add(b, e), hn::Add(a, c)), halfX), etaZ = hn::Mul(hn::Sub(hn::Add(c, e), hn::Add(a, b)), halfZ);
+    const Floats etaX = hn::Mul(hn::Sub(hn::Add(b, e), hn::Add(a, c)), halfX),
+                 etaZ = hn::Mul(hn::Sub(hn::Add(c, e), hn::Add(a, b)), halfZ);
     const Floats blur = hn::Add(hn::Mul(soft, hn::Add(hn::Add(a, b), hn::Add(c, e))), tiny);
     const Floats steepness = hn::Sqrt(hn::Add(hn::Mul(etaX, etaX), hn::Mul(etaZ, etaZ)));
-    const Floats push = hn::Div(hn::Mul(scale, hn::Add(hn::Add(low, lowNext), hn::Add(high, highNext))), hn::Add(steepness, blur));
+    const Floats push =
+        hn::Div(hn::Mul(scale, hn::Add(hn::Add(low, lowNext), hn::Add(high, highNext))), hn::Add(steepness, blur));
     const Floats dx = hn::Mul(push, etaZ), dz = hn::Neg(hn::Mul(push, etaX));
     const Floats x = hn::LoadU(d, vx + i), z = hn::LoadU(d, vz + i);
     const Floats own = hn::Add(hn::Mul(x, x), hn::Mul(z, z));
@@ -86,7 +89,8 @@ HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, const float* node
 }
 
 /// Adds one copy of the gust table to a row of sums.
-HWY_ATTR void addGustLayer(const CpuFields& f, int k, const WindGustLayer& layer, float* HWY_RESTRICT sumX, float* HWY_RESTRICT sumZ) {
+HWY_ATTR void addGustLayer(const CpuFields& f, int k, const WindGustLayer& layer, float* HWY_RESTRICT sumX,
+                           float* HWY_RESTRICT sumZ) {
   constexpr int kSide = WIND_GUST_TABLE;
   const float *HWY_RESTRICT along = f.gustAlong.data(), *HWY_RESTRICT across = f.gustAcross.data();
   const float cosine = layer.axis.x, sine = layer.axis.y, scale = layer.texelsPerMetre;
@@ -94,7 +98,8 @@ HWY_ATTR void addGustLayer(const CpuFields& f, int k, const WindGustLayer& layer
   const float xLow = f.grid.mapping.minCorner.x, dx = f.grid.mapping.cellSize.x;
   for (int i = 0, width = f.width(); i < width; ++i) {
     const float x = xLow + (static_cast<float>(i) + 0.5f) * dx;
-    const float a = (x * cosine + z * sine) * scale + layer.offset.x, b = (z * cosine - x * sine) * scale + layer.offset.y;
+    const float a = (x * cosine + z * sine) * scale + layer.offset.x,
+                b = (z * cosine - x * sine) * scale + layer.offset.y;
     const float aWhole = std::floor(a), bWhole = std::floor(b);
     const float ta = a - aWhole, tb = b - bWhole;
     const int ia = static_cast<int>(aWhole) & (kSide - 1), ib = static_cast<int>(bWhole) & (kSide - 1);
@@ -109,7 +114,8 @@ HWY_ATTR void addGustLayer(const CpuFields& f, int k, const WindGustLayer& layer
   }
 }
 
-HWY_ATTR void addGusts(const CpuFields& f, ForceRow row, const GustLayers& layers, float* HWY_RESTRICT sumX, float* HWY_RESTRICT sumZ) {
+HWY_ATTR void addGusts(const CpuFields& f, ForceRow row, const GustLayers& layers, float* HWY_RESTRICT sumX,
+                       float* HWY_RESTRICT sumZ) {
   std::fill_n(sumX, f.width(), 0.0f);
   std::fill_n(sumZ, f.width(), 0.0f);
   for (const WindGustLayer& layer : layers) addGustLayer(f, row.k, layer, sumX, sumZ);
@@ -126,8 +132,8 @@ HWY_ATTR void addGusts(const CpuFields& f, ForceRow row, const GustLayers& layer
 }
 
 /// Adds gusts and confinement to the increments of rows [begin, end), row k at k * stride from the pointers.
-HWY_ATTR void addFieldForces(const CpuFields& f, int begin, int end, const GustLayers& layers, float* incrementX, float* incrementZ,
-                             std::ptrdiff_t stride) {
+HWY_ATTR void addFieldForces(const CpuFields& f, int begin, int end, const GustLayers& layers, float* incrementX,
+                             float* incrementZ, std::ptrdiff_t stride) {
   thread_local std::vector<float> memory;
   const std::ptrdiff_t room = f.speedX.stride();
   memory.assign(static_cast<std::size_t>(room) * 4, 0.0f);
@@ -155,7 +161,8 @@ HWY_ATTR void healRow(const CpuFields& f, int k, float* row, int count, float am
   }
 }
 
-HWY_ATTR void addToFacesX(const CpuFields& f, int k, const float* HWY_RESTRICT increment, float* HWY_RESTRICT out, CpuHealth& health) {
+HWY_ATTR void addToFacesX(const CpuFields& f, int k, const float* HWY_RESTRICT increment, float* HWY_RESTRICT out,
+                          CpuHealth& health) {
   const int w = f.width();
   const float* HWY_RESTRICT u = f.velocity.u.row(k);
   for (int i = 1; i < w; ++i) out[i] = u[i] + 0.5f * (increment[i - 1] + increment[i]);
@@ -165,7 +172,8 @@ HWY_ATTR void addToFacesX(const CpuFields& f, int k, const float* HWY_RESTRICT i
   healRow(f, k, out, w + 1, f.ambient.x, health);
 }
 
-HWY_ATTR void addToFacesZ(const CpuFields& f, int k, const float* low, const float* high, float* HWY_RESTRICT out, CpuHealth& health) {
+HWY_ATTR void addToFacesZ(const CpuFields& f, int k, const float* low, const float* high, float* HWY_RESTRICT out,
+                          CpuHealth& health) {
   const float* HWY_RESTRICT w = f.velocity.w.row(k);
   for (int i = 0, width = f.width(); i < width; ++i) out[i] = w[i] + 0.5f * (low[i] + high[i]);
   healRow(f, k, out, f.width(), f.ambient.y, health);
@@ -212,11 +220,12 @@ struct ForceJob {
     for (int a = 0; a < tiles.columns; ++a) {
       const auto t = static_cast<std::size_t>(b * tiles.columns + a);
       const auto indices = std::span(tiles.indices).subspan(tiles.start[t], tiles.start[t + 1] - tiles.start[t]);
-      arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), begin, end}, arrows, indices, out.x(first) + a * side,
-                      out.z(first) + a * side, static_cast<int>(out.x(1) - out.x(0)));
+      arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), begin, end}, arrows, indices,
+                      out.x(first) + a * side, out.z(first) + a * side, static_cast<int>(out.x(1) - out.x(0)));
     }
     const std::ptrdiff_t stride = out.x(1) - out.x(0);
-    HWY_DYNAMIC_DISPATCH(addFieldForces)(f, begin, end, layers, out.x(first) - begin * stride, out.z(first) - begin * stride, stride);
+    HWY_DYNAMIC_DISPATCH(addFieldForces)
+    (f, begin, end, layers, out.x(first) - begin * stride, out.z(first) - begin * stride, stride);
   }
 
   [[nodiscard]] CpuHealth rows(int begin, int end) const {
@@ -231,18 +240,21 @@ struct ForceJob {
       const int low = k == begin && below < 0 ? 1 : k - begin;
       HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(k - begin + 1), f.forced.w.row(k), health);
     }
-    if (end == f.height()) HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end), health);
+    if (end == f.height())
+      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end), health);
     return health;
   }
 };
 
 }  // namespace
 
-CpuHealth applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles, double time) {
+CpuHealth applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles,
+                      double time) {
   static_assert(WIND_TILE % kRowsPerTask == 0, "a task's rows lie in one row of tiles");
   const ForceJob job{f, arrows, tiles, gustLayersAt(f.ambientSettings, time)};
-  std::vector<CpuHealth> tasks(static_cast<std::size_t>(rowTasks(f.height())));
-  forRowTasks(pool, f.height(), [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = job.rows(begin, end); });
+  std::vector<CpuHealth> tasks(static_cast<std::size_t>(tasksFor(f.height())));
+  forRows(pool, f.width(), f.height(),
+          [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = job.rows(begin, end); });
   if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
   CpuHealth health;
   for (const CpuHealth& task : tasks) health.add(task);

@@ -1,5 +1,6 @@
-// Row kernels compiled for several instruction sets, chosen when the program runs (Highway). The loops are plain: with the
-// target set by Highway's attributes the compiler vectorises them; no multiply-add, so that all sets give the same bytes.
+// Row kernels compiled for several instruction sets, chosen when the program runs (Highway). The loops are plain: with
+// the target set by Highway's attributes the compiler vectorises them; no multiply-add, so that all sets give the same
+// bytes.
 #include "engine/wind/cpu_level.hpp"
 
 #include <algorithm>
@@ -25,7 +26,9 @@ class Rings {
     memory.assign(static_cast<std::size_t>(m_stride) * (kStages * 4 + 2), 0.0f);
     m_memory = memory.data() + CpuPlane::kMargin;
   }
-  [[nodiscard]] float* row(int stage, int k) { return m_memory + static_cast<std::ptrdiff_t>(stage * 4 + (k & 3)) * m_stride; }
+  [[nodiscard]] float* row(int stage, int k) {
+    return m_memory + static_cast<std::ptrdiff_t>(stage * 4 + (k & 3)) * m_stride;
+  }
   [[nodiscard]] float* zero() { return m_memory + static_cast<std::ptrdiff_t>(kStages * 4) * m_stride; }
   [[nodiscard]] float* residual() { return m_memory + static_cast<std::ptrdiff_t>(kStages * 4 + 1) * m_stride; }
 
@@ -59,7 +62,8 @@ HWY_ATTR void smoothRow(RowPlace at, Neighbours d, float weight, float* HWY_REST
         out[i] = keep * own[i] + scale * (sum - b[i]);
       }
     } else {
-      const float *cx = l.cx.row(at.k), *czLow = l.cz.row(at.k), *czHigh = l.cz.row(at.k + 1), *inverse = l.inverse.row(at.k);
+      const float *cx = l.cx.row(at.k), *czLow = l.cz.row(at.k), *czHigh = l.cz.row(at.k + 1),
+                  *inverse = l.inverse.row(at.k);
       for (int i = run.begin; i < run.end; ++i) {
         const float sum = (cx[i] * own[i - 1] + cx[i + 1] * own[i + 1]) + (czLow[i] * low[i] + czHigh[i] * high[i]);
         const float value = keep * own[i] + weight * inverse[i] * (sum - b[i]);
@@ -88,7 +92,8 @@ HWY_ATTR void residualRow(RowPlace at, Neighbours d, float* HWY_RESTRICT out) {
         out[i] = (b[i] + diagonal * own[i]) - (ax * (own[i - 1] + own[i + 1]) + az * (low[i] + high[i]));
       }
     } else {
-      const float *cx = l.cx.row(at.k), *czLow = l.cz.row(at.k), *czHigh = l.cz.row(at.k + 1), *inverse = l.inverse.row(at.k);
+      const float *cx = l.cx.row(at.k), *czLow = l.cz.row(at.k), *czHigh = l.cz.row(at.k + 1),
+                  *inverse = l.inverse.row(at.k);
       for (int i = run.begin; i < run.end; ++i) {
         const float sum = (cx[i] * own[i - 1] + cx[i + 1] * own[i + 1]) + (czLow[i] * low[i] + czHigh[i] * high[i]);
         out[i] = inverse[i] > 0 ? b[i] - (sum - own[i] / inverse[i]) : 0.0f;
@@ -166,7 +171,9 @@ class Pipeline {
     if (stage == 0 && m_pass.start == PassStart::Plane) return m_level.d.row(wrap(k));
     return m_rings.row(stage, k);
   }
-  [[nodiscard]] Neighbours around(int stage, int k) { return {rowOf(stage, k), rowOf(stage, k - 1), rowOf(stage, k + 1)}; }
+  [[nodiscard]] Neighbours around(int stage, int k) {
+    return {rowOf(stage, k), rowOf(stage, k - 1), rowOf(stage, k + 1)};
+  }
   void setEnds(float* row) const {
     row[-1] = m_level.periodicX ? row[m_level.width - 1] : 0.0f;
     row[m_level.width] = m_level.periodicX ? row[0] : 0.0f;
@@ -235,7 +242,9 @@ namespace windloom {
 HWY_EXPORT(levelPassRows);
 HWY_EXPORT(advanceRow);
 
-LevelProducts runLevelPass(const LevelPass& pass, int begin, int end) { return HWY_DYNAMIC_DISPATCH(levelPassRows)(pass, begin, end); }
+LevelProducts runLevelPass(const LevelPass& pass, int begin, int end) {
+  return HWY_DYNAMIC_DISPATCH(levelPassRows)(pass, begin, end);
+}
 
 void advanceSolution(const DirectionRows& rows, int count, float alpha, float beta) {
   HWY_DYNAMIC_DISPATCH(advanceRow)(rows, count, alpha, beta);

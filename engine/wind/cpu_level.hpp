@@ -23,7 +23,7 @@ struct CpuLevel {
   CpuPlane applied, lastApplied;    // cells, on the finest level only
   float plainX = 0, plainZ = 0, plainInverse = 0;
   std::vector<LevelRun> runs;
-  std::vector<int> runStart;        // height + 1
+  std::vector<int> runStart;  // height + 1
 };
 
 /// Rows a task of a pass works on; even, so that a pair of rows that coarsens into one stays in one task.
@@ -51,11 +51,11 @@ struct LevelProducts {
 /// cache from the first sweep to the last. The result is written to level.next.
 struct LevelPass {
   CpuLevel* level = nullptr;
-  CpuLevel* coarse = nullptr;   // for Prolong and Restrict; for Prolong with the ghosts of its d set
+  CpuLevel* coarse = nullptr;  // for Prolong and Restrict; for Prolong with the ghosts of its d set
   PassStart start = PassStart::Zero;
   PassEnd end = PassEnd::None;
   float weights[3] = {0, 0, 0};
-  int sweeps = 3;               // 1 to 3
+  int sweeps = 3;  // 1 to 3
 };
 
 /// Runs rows [begin, end) of a pass. Tasks of one pass may run at the same time.

@@ -1,12 +1,13 @@
 // Cell-centred geometric multigrid: Wesseling, An Introduction to Multigrid Methods, 1992 (averaging restriction,
 // linear prolongation); smoother: Jacobi with Chebyshev weights, after Adams, Brezina, Hu & Tuminaro, Parallel
-// multigrid smoothing: polynomial versus Gauss-Seidel, 2003. V-cycles are joined by generalised conjugate residuals with one
-// direction kept (Eisenstat, Elman & Schultz, Variational iterative methods, 1983): see docs/solver.md.
+// multigrid smoothing: polynomial versus Gauss-Seidel, 2003. V-cycles are joined by generalised conjugate residuals
+// with one direction kept (Eisenstat, Elman & Schultz, Variational iterative methods, 1983): see docs/solver.md.
 #include "engine/wind/cpu_multigrid.hpp"
 
 #include <algorithm>
 #include <numeric>
 
+#include "engine/wind/cpu_tasks.hpp"
 #include "shaders/shared/wind_constants.h"
 
 namespace windloom {
@@ -22,7 +23,9 @@ CpuPlane planeOf(int width, int height, const std::vector<float>& values) {
   return plane;
 }
 
-float ghostFactor(Border border) { return border == Border::Open ? -1.0f : 1.0f; }
+float ghostFactor(Border border) {
+  return border == Border::Open ? -1.0f : 1.0f;
+}
 
 void findPlainRuns(CpuLevel& level, glm::vec2 conductance) {
   level.plainX = conductance.x;
@@ -32,7 +35,8 @@ void findPlainRuns(CpuLevel& level, glm::vec2 conductance) {
   level.runStart.assign(1, 0);
   level.runs.clear();
   for (int k = 0; k < level.height; ++k) {
-    const float *cx = level.cx.row(k), *low = level.cz.row(k), *high = level.cz.row(k + 1), *inverse = level.inverse.row(k);
+    const float *cx = level.cx.row(k), *low = level.cz.row(k), *high = level.cz.row(k + 1),
+                *inverse = level.inverse.row(k);
     const auto plain = [&](int i) {
       return close(cx[i], conductance.x) && close(cx[i + 1], conductance.x) && close(low[i], conductance.y) &&
              close(high[i], conductance.y) && close(inverse[i], level.plainInverse);
@@ -98,7 +102,8 @@ void CpuMultigrid::rebuild(const WindGrid& grid) {
 void CpuMultigrid::setGhosts(CpuPlane& plane) const {
   const int w = plane.width(), h = plane.height();
   const bool wrapX = m_xMin == Border::Periodic, wrapZ = m_zMin == Border::Periodic;
-  const float xLow = ghostFactor(m_xMin), xHigh = ghostFactor(m_xMax), zLow = ghostFactor(m_zMin), zHigh = ghostFactor(m_zMax);
+  const float xLow = ghostFactor(m_xMin), xHigh = ghostFactor(m_xMax), zLow = ghostFactor(m_zMin),
+              zHigh = ghostFactor(m_zMax);
   for (int k = 0; k < h; ++k) {
     plane.at(-1, k) = xLow * plane.at(wrapX ? w - 1 : 0, k);
     plane.at(w, k) = xHigh * plane.at(wrapX ? 0 : w - 1, k);
@@ -111,12 +116,13 @@ void CpuMultigrid::setGhosts(CpuPlane& plane) const {
 
 LevelProducts CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
   CpuLevel& level = *pass.level;
-  const int tasks = (level.height + kLevelRowsPerTask - 1) / kLevelRowsPerTask;
-  m_products.assign(static_cast<std::size_t>(tasks), {});
-  pool.parallelFor(tasks, [&](int task) {
-    const int begin = task * kLevelRowsPerTask;
-    m_products[static_cast<std::size_t>(task)] = runLevelPass(pass, begin, std::min(level.height, begin + kLevelRowsPerTask));
-  });
+  m_products.assign(static_cast<std::size_t>(tasksFor(level.height, kLevelRowsPerTask)), {});
+  forRows(
+      pool, level.width, level.height,
+      [&](int task, int begin, int end) {
+        m_products[static_cast<std::size_t>(task)] = runLevelPass(pass, begin, end);
+      },
+      kLevelRowsPerTask);
   std::swap(level.d, level.next);
   LevelProducts sum;
   for (const LevelProducts& p : m_products) {
@@ -131,25 +137,34 @@ LevelProducts CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
 LevelProducts CpuMultigrid::cycle(ThreadPool& pool) {
   const std::size_t last = m_levels.size() - 1;
   for (std::size_t l = 0; l < last; ++l) {
-    run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Zero, PassEnd::Restrict, {WIND_SMOOTH_0, WIND_SMOOTH_1, WIND_SMOOTH_2}, 3});
+    run(pool, {&m_levels[l],
+               &m_levels[l + 1],
+               PassStart::Zero,
+               PassEnd::Restrict,
+               {WIND_SMOOTH_0, WIND_SMOOTH_1, WIND_SMOOTH_2},
+               3});
   }
   CpuLevel& single = m_levels[last];
   single.d.at(0, 0) = -single.b.at(0, 0) * single.inverse.at(0, 0);
   LevelProducts products;
   for (std::size_t l = last; l-- > 0;) {
     setGhosts(m_levels[l + 1].d);
-    products = run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Prolong, l == 0 ? PassEnd::Apply : PassEnd::None,
-                          {WIND_SMOOTH_2, WIND_SMOOTH_1, WIND_SMOOTH_0}, 3});
+    products = run(pool, {&m_levels[l],
+                          &m_levels[l + 1],
+                          PassStart::Prolong,
+                          l == 0 ? PassEnd::Apply : PassEnd::None,
+                          {WIND_SMOOTH_2, WIND_SMOOTH_1, WIND_SMOOTH_0},
+                          3});
   }
   return products;
 }
 
 void CpuMultigrid::advance(ThreadPool& pool, float alpha, float beta) {
   CpuLevel& fine = m_levels[0];
-  const int tasks = (fine.height + kLevelRowsPerTask - 1) / kLevelRowsPerTask;
-  pool.parallelFor(tasks, [&](int task) {
-    for (int k = task * kLevelRowsPerTask; k < std::min(fine.height, (task + 1) * kLevelRowsPerTask); ++k) {
-      advanceSolution({fine.d.row(k), fine.applied.row(k), m_direction.row(k), fine.lastApplied.row(k), m_solution.row(k), fine.b.row(k)},
+  forRows(pool, fine.width, fine.height, [&](int, int begin, int end) {
+    for (int k = begin; k < end; ++k) {
+      advanceSolution({fine.d.row(k), fine.applied.row(k), m_direction.row(k), fine.lastApplied.row(k),
+                       m_solution.row(k), fine.b.row(k)},
                       fine.width, alpha, beta);
     }
   });
@@ -190,7 +205,8 @@ void CpuMultigrid::sweep(ThreadPool& pool, int sweeps) {
 std::size_t CpuMultigrid::memoryBytes() const {
   std::size_t sum = m_solution.bytes() + m_direction.bytes();
   for (const CpuLevel& l : m_levels) {
-    for (const CpuPlane* p : {&l.d, &l.b, &l.next, &l.cx, &l.cz, &l.shareX, &l.shareZ, &l.inverse, &l.applied, &l.lastApplied}) {
+    for (const CpuPlane* p :
+         {&l.d, &l.b, &l.next, &l.cx, &l.cz, &l.shareX, &l.shareZ, &l.inverse, &l.applied, &l.lastApplied}) {
       if (p->width() > 0) sum += p->bytes();
     }
   }

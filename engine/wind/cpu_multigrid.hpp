@@ -20,8 +20,8 @@ class CpuMultigrid {
   /// The solution d.
   [[nodiscard]] const CpuPlane& correction() const { return m_solution; }
 
-  /// Solves from d = 0 until the sum over cells of (b - A d)^2 is at most `wantedSquares` or `maxCycles` V-cycles are done;
-  /// `startSquares` is the sum at the start. Returns the cycles.
+  /// Solves from d = 0 until the sum over cells of (b - A d)^2 is at most `wantedSquares` or `maxCycles` V-cycles are
+  /// done; `startSquares` is the sum at the start. Returns the cycles.
   int solve(ThreadPool& pool, double startSquares, double wantedSquares, int maxCycles);
   /// Jacobi sweeps from d = 0.
   void sweep(ThreadPool& pool, int sweeps);

@@ -10,14 +10,17 @@ namespace windloom {
 
 class CpuPlane {
  public:
-  static constexpr int kMargin = 16;    ///< floats before and at least 16 after each row: one cache line, one widest vector
+  static constexpr int kMargin =
+      16;  ///< floats before and at least 16 after each row: one cache line, one widest vector
   static constexpr int kRowMargin = 2;  ///< rows below and above: one of ghosts, one that may be read but says nothing
 
   CpuPlane() = default;
-  /// Zeroed; entries [-kMargin, width + kMargin) x [-kRowMargin, height + kRowMargin) may be touched, and read up to kMargin
-  /// beyond a row's end.
+  /// Zeroed; entries [-kMargin, width + kMargin) x [-kRowMargin, height + kRowMargin) may be touched, and read up to
+  /// kMargin beyond a row's end.
   CpuPlane(int width, int height)
-      : m_width(width), m_height(height), m_stride((width + 2 * kMargin + kMargin - 1) / kMargin * kMargin),
+      : m_width(width),
+        m_height(height),
+        m_stride((width + 2 * kMargin + kMargin - 1) / kMargin * kMargin),
         m_data(static_cast<float*>(::operator new[](bytes(), std::align_val_t{64}))) {
     clear();
   }

@@ -10,9 +10,10 @@ namespace {
 
 /// Runs a pass and adds up what its tasks found, in order.
 template <class Rows>
-RowFindings runPass(ThreadPool& pool, int height, const Rows& rows) {
-  std::vector<RowFindings> tasks(static_cast<std::size_t>(rowTasks(height)));
-  forRowTasks(pool, height, [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = rows(begin, end); });
+RowFindings runPass(ThreadPool& pool, int width, int height, const Rows& rows) {
+  std::vector<RowFindings> tasks(static_cast<std::size_t>(tasksFor(height)));
+  forRows(pool, width, height,
+          [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = rows(begin, end); });
   RowFindings total;
   for (const RowFindings& t : tasks) {
     total.health.add(t.health);
@@ -57,7 +58,8 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   const double air = static_cast<double>(std::max<std::size_t>(f.grid.airCells, 1));
   const double cells = double(f.width()) * double(f.height());
   const auto predict = [&] {
-    return runPass(pool, f.height(), [&](int begin, int end) { return predictRowsOf(f, multigrid.flux(), begin, end); });
+    return runPass(pool, f.width(), f.height(),
+                   [&](int begin, int end) { return predictRowsOf(f, multigrid.flux(), begin, end); });
   };
   RowFindings before = predict();
   if (!(before.predictedSquares <= before.fluxSquares)) {  // the last pressure is of no use: begin from nothing
@@ -67,11 +69,13 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   constexpr double kRoom = 0.95;  // rounding in the last gradient adds to the residual
   const double tolerance = kRoom * double(f.solver.divergenceTolerance);
   const double floor = double(WIND_ROUNDING_FLOOR) * double(std::max(f.grid.hx, f.grid.hz));
-  const double wanted = std::max(tolerance * tolerance * before.fluxSquares, floor * floor * before.speedSquares / cells * air);
+  const double wanted =
+      std::max(tolerance * tolerance * before.fluxSquares, floor * floor * before.speedSquares / cells * air);
   ProjectionReport report;
   report.cycles = solve(f, multigrid, pool, wanted, before.predictedSquares);
-  const RowFindings after =
-      runPass(pool, f.height(), [&](int begin, int end) { return finishRowsOf(f, multigrid.correction(), begin, end); });
+  const RowFindings after = runPass(pool, f.width(), f.height(), [&](int begin, int end) {
+    return finishRowsOf(f, multigrid.correction(), begin, end);
+  });
   std::swap(f.velocity, f.moved);
   setCellGhosts(f);
   report.divergenceBefore = std::sqrt(before.fluxSquares / air) / area;
@@ -85,7 +89,7 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
 }
 
 void resampleToCells(CpuFields& f, ThreadPool& pool) {
-  forRowTasks(pool, f.height(), [&](int, int begin, int end) {
+  forRows(pool, f.width(), f.height(), [&](int, int begin, int end) {
     for (int k = begin; k < end; ++k) {
       const float *u = f.velocity.u.row(k), *w = f.velocity.w.row(k), *wHigh = f.velocity.w.row(k + 1);
       float *x = f.speedX.row(k), *z = f.speedZ.row(k);

@@ -15,8 +15,8 @@ struct ProjectionReport {
   CpuHealth health;
 };
 
-/// Settles `moved` and makes it free of divergence into `velocity`; keeps phi for the next step and sets the cell velocities
-/// with their ghosts. `moved` is overwritten.
+/// Settles `moved` and makes it free of divergence into `velocity`; keeps phi for the next step and sets the cell
+/// velocities with their ghosts. `moved` is overwritten.
 ProjectionReport project(CpuFields& fields, CpuMultigrid& multigrid, ThreadPool& pool);
 
 /// Sets the cell velocities and their ghosts from `velocity`.

@@ -34,7 +34,8 @@ HWY_ATTR float greatestOf(const float* values, int count) {
 }
 
 /// Dissipation and speed limit; what isn't finite becomes the ambient wind. Returns how many such there were.
-HWY_ATTR int settleRow(const CpuFields& f, const float* HWY_RESTRICT in, int count, float ambient, float* HWY_RESTRICT out) {
+HWY_ATTR int settleRow(const CpuFields& f, const float* HWY_RESTRICT in, int count, float ambient,
+                       float* HWY_RESTRICT out) {
   const float keep = 1 / (1 + f.solver.dissipation * f.dt), limit = f.solver.maxSpeed;
   int bad = 0;
   for (int i = 0; i < count; ++i) {
@@ -53,8 +54,8 @@ HWY_ATTR void zeroRuns(const CpuRuns& runs, int k, float* row) {
 }
 
 /// out = in - scale (high - low), or in where that isn't finite.
-HWY_ATTR void takeOff(const float* HWY_RESTRICT in, const float* HWY_RESTRICT low, const float* HWY_RESTRICT high, float scale, int begin,
-                      int end, float* HWY_RESTRICT out) {
+HWY_ATTR void takeOff(const float* HWY_RESTRICT in, const float* HWY_RESTRICT low, const float* HWY_RESTRICT high,
+                      float scale, int begin, int end, float* HWY_RESTRICT out) {
   for (int i = begin; i < end; ++i) {
     const float value = in[i] - (high[i] - low[i]) * scale;
     out[i] = std::abs(value) <= kLargestHealthy ? value : in[i];
@@ -94,8 +95,8 @@ HWY_ATTR void gradientZ(const CpuFields& f, const CpuPlane& phi, int k, const fl
   zeroRuns(f.blockedZ, k, out);
 }
 
-HWY_ATTR void fluxRow(const WindGrid& g, const float* HWY_RESTRICT u, const float* HWY_RESTRICT low, const float* HWY_RESTRICT high,
-                      float* HWY_RESTRICT out) {
+HWY_ATTR void fluxRow(const WindGrid& g, const float* HWY_RESTRICT u, const float* HWY_RESTRICT low,
+                      const float* HWY_RESTRICT high, float* HWY_RESTRICT out) {
   const float hx = g.hx, hz = g.hz;
   for (int i = 0, width = g.width; i < width; ++i) out[i] = (u[i + 1] - u[i]) * hz + (high[i] - low[i]) * hx;
 }

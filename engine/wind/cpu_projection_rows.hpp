@@ -7,11 +7,11 @@ namespace windloom {
 
 /// What a task of a pass found in its rows.
 struct RowFindings {
-  double fluxSquares = 0;           // of the field as it came
-  double predictedSquares = 0;      // after the last pressure was taken off
-  double speedSquares = 0;          // u^2 + w^2 over faces i < W, k < H
+  double fluxSquares = 0;       // of the field as it came
+  double predictedSquares = 0;  // after the last pressure was taken off
+  double speedSquares = 0;      // u^2 + w^2 over faces i < W, k < H
   double greatestFlux = 0;
-  double cellSquares = 0;           // |cell velocity|^2
+  double cellSquares = 0;  // |cell velocity|^2
   float greatestCellSquare = 0, greatestCellX = 0, greatestCellZ = 0;
   CpuHealth health;
 };
@@ -20,7 +20,8 @@ struct RowFindings {
 /// `velocity`; the flux of that into `flux`.
 RowFindings predictRowsOf(CpuFields& fields, CpuPlane& flux, int begin, int end);
 
-/// Rows [begin, end) of: the gradient of `correction` taken off `velocity` into `moved`, phi += correction, cell velocities.
+/// Rows [begin, end) of: the gradient of `correction` taken off `velocity` into `moved`, phi += correction, cell
+/// velocities.
 RowFindings finishRowsOf(CpuFields& fields, const CpuPlane& correction, int begin, int end);
 
 }  // namespace windloom

@@ -40,7 +40,8 @@ class StageClock {
 CpuFields makeFields(const WindSetup& setup) {
   CpuFields f;
   f.grid = makeWindGrid(setup.field, setup.obstacles);
-  for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest}) *v = CpuVelocity(f.grid);
+  for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest})
+    *v = CpuVelocity(f.grid);
   for (CpuPlane* p : {&f.phi, &f.speedX, &f.speedZ}) *p = CpuPlane(f.grid.width, f.grid.height);
   return f;
 }
@@ -84,8 +85,10 @@ void CpuWindSolver::configure(const WindSetup& setup) {
 
 std::size_t CpuWindSolver::memoryBytes() const {
   const CpuFields& f = m_fields;
-  std::size_t sum = m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
-  for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest}) sum += v->u.bytes() + v->w.bytes();
+  std::size_t sum =
+      m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
+  for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest})
+    sum += v->u.bytes() + v->w.bytes();
   return sum;
 }
 
@@ -149,7 +152,8 @@ Status CpuWindSolver::setVelocity(std::span<const glm::vec2> cells) {
   CpuFields& f = m_fields;
   if (Status status = checkInitialField(f.grid, cells); !status) return status;
   for (int k = 0; k <= f.height(); ++k) {
-    for (int i = 0; k < f.height() && i <= f.width(); ++i) f.velocity.u.at(i, k) = initialFaceX(f.grid, cells, i, k, f.solver.maxSpeed);
+    for (int i = 0; k < f.height() && i <= f.width(); ++i)
+      f.velocity.u.at(i, k) = initialFaceX(f.grid, cells, i, k, f.solver.maxSpeed);
     for (int i = 0; i < f.width(); ++i) f.velocity.w.at(i, k) = initialFaceZ(f.grid, cells, i, k, f.solver.maxSpeed);
   }
   f.phi.clear();
@@ -161,7 +165,7 @@ Status CpuWindSolver::setVelocity(std::span<const glm::vec2> cells) {
 void CpuWindSolver::readVelocity(std::vector<glm::vec2>& cells) {
   const CpuFields& f = m_fields;
   cells.resize(static_cast<std::size_t>(f.width()) * static_cast<std::size_t>(f.height()));
-  forRowTasks(m_pool, f.height(), [&](int, int begin, int end) {
+  forRows(m_pool, f.width(), f.height(), [&](int, int begin, int end) {
     for (int k = begin; k < end; ++k) {
       glm::vec2* out = cells.data() + static_cast<std::size_t>(k) * static_cast<std::size_t>(f.width());
       for (int i = 0; i < f.width(); ++i) {

@@ -14,7 +14,8 @@ struct Stencil {
 };
 
 /// y_{m+1} = y_{m-1} + c (J(y_m) - y_{m-1}) for one row; `next` holds y_{m-1} and gets y_{m+1}.
-void sweepRow(const Stencil& s, float c, const CpuPlane& rhs, const CpuPlane& y, CpuPlane& next, int k, int begin, int end) {
+void sweepRow(const Stencil& s, float c, const CpuPlane& rhs, const CpuPlane& y, CpuPlane& next, int k, int begin,
+              int end) {
   const float *q = rhs.row(k), *own = y.row(k), *low = y.row(k - 1), *high = y.row(k + 1);
   float* out = next.row(k);
   for (int i = begin; i < end; ++i) {
@@ -23,10 +24,10 @@ void sweepRow(const Stencil& s, float c, const CpuPlane& rhs, const CpuPlane& y,
   }
 }
 
-void sweep(const CpuFields& f, ThreadPool& pool, const Stencil& s, float c, const CpuVelocity& rhs, const CpuVelocity& y,
-           CpuVelocity& next) {
+void sweep(const CpuFields& f, ThreadPool& pool, const Stencil& s, float c, const CpuVelocity& rhs,
+           const CpuVelocity& y, CpuVelocity& next) {
   const int skipX = f.grid.periodicX() ? 0 : 1, skipZ = f.grid.periodicZ() ? 0 : 1;
-  forRowTasks(pool, f.height() + 1, [&](int, int begin, int end) {
+  forRows(pool, f.width(), f.height() + 1, [&](int, int begin, int end) {
     for (int k = begin; k < end; ++k) {
       if (k < f.height()) sweepRow(s, c, rhs.u, y.u, next.u, k, skipX, f.width() + 1 - skipX);
       if (k >= skipZ && k <= f.height() - skipZ) sweepRow(s, c, rhs.w, y.w, next.w, k, 0, f.width());
@@ -36,7 +37,9 @@ void sweep(const CpuFields& f, ThreadPool& pool, const Stencil& s, float c, cons
   fillGhosts(f, next, OpenGhost::Copy);
 }
 
-void copyAll(const CpuPlane& from, CpuPlane& to) { std::memcpy(to.memory(), from.memory(), from.bytes()); }
+void copyAll(const CpuPlane& from, CpuPlane& to) {
+  std::memcpy(to.memory(), from.memory(), from.bytes());
+}
 
 void copyRows(const CpuVelocity& from, CpuVelocity& to) {
   copyAll(from.u, to.u);

@@ -22,7 +22,8 @@ std::vector<glm::vec2> makeGustTable(int seed);
 std::array<WindGustLayer, WIND_GUST_LAYERS> gustLayersAt(const AmbientWind& ambient, double time);
 
 /// The gust field at a place, about 0.7 in root mean square; times gustStrength * speed it is in m/s.
-glm::vec2 gustAt(const std::vector<glm::vec2>& table, const std::array<WindGustLayer, WIND_GUST_LAYERS>& layers, glm::vec2 world);
+glm::vec2 gustAt(const std::vector<glm::vec2>& table, const std::array<WindGustLayer, WIND_GUST_LAYERS>& layers,
+                 glm::vec2 world);
 
 /// gustStrength * speed, m/s; 0: no gusts.
 float gustAmplitude(const AmbientWind& ambient);

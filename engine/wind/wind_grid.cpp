@@ -13,9 +13,13 @@ struct CellBox {
 };
 
 CellBox cellsWithin(const WindGrid& grid, glm::vec2 centre, float reach) {
-  const glm::dvec2 low = (glm::dvec2(centre) - double(reach) - glm::dvec2(grid.mapping.minCorner)) / glm::dvec2(grid.hx, grid.hz);
-  const glm::dvec2 high = (glm::dvec2(centre) + double(reach) - glm::dvec2(grid.mapping.minCorner)) / glm::dvec2(grid.hx, grid.hz);
-  const auto cell = [](double value, int count) { return static_cast<int>(std::clamp(std::floor(value), -1.0, double(count))); };
+  const glm::dvec2 low =
+      (glm::dvec2(centre) - double(reach) - glm::dvec2(grid.mapping.minCorner)) / glm::dvec2(grid.hx, grid.hz);
+  const glm::dvec2 high =
+      (glm::dvec2(centre) + double(reach) - glm::dvec2(grid.mapping.minCorner)) / glm::dvec2(grid.hx, grid.hz);
+  const auto cell = [](double value, int count) {
+    return static_cast<int>(std::clamp(std::floor(value), -1.0, double(count)));
+  };
   return {std::max(0, cell(low.x, grid.width) - 1), std::min(grid.width - 1, cell(high.x, grid.width) + 1),
           std::max(0, cell(low.y, grid.height) - 1), std::min(grid.height - 1, cell(high.y, grid.height) + 1)};
 }
@@ -47,7 +51,8 @@ bool WindGrid::blockedZ(int i, int k) const {
 }
 
 WindGrid makeWindGrid(const FieldSettings& field, std::span<const Obstacle> obstacles) {
-  WL_REQUIRE(field.resolution.x > 0 && field.resolution.y > 0 && field.size.x > 0 && field.size.y > 0, "an empty field");
+  WL_REQUIRE(field.resolution.x > 0 && field.resolution.y > 0 && field.size.x > 0 && field.size.y > 0,
+             "an empty field");
   WL_REQUIRE((field.xMin == Border::Periodic) == (field.xMax == Border::Periodic), "periodic sides come in pairs");
   WL_REQUIRE((field.zMin == Border::Periodic) == (field.zMax == Border::Periodic), "periodic sides come in pairs");
   WindGrid grid;
@@ -74,7 +79,8 @@ void rasteriseSolids(WindGrid& grid, std::span<const Obstacle> obstacles) {
     for (int k = box.kMin; k <= box.kMax; ++k) {
       for (int i = box.iMin; i <= box.iMax; ++i) {
         if (holds(obstacle, cellCentreToWorld(glm::vec2(i, k), grid.mapping.minCorner, grid.mapping.cellSize))) {
-          grid.solid[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] = 1;
+          grid.solid[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] =
+              1;
         }
       }
     }

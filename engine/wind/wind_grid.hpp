@@ -12,8 +12,8 @@ namespace windloom {
 
 struct WindGrid {
   GridMapping mapping;
-  int width = 0, height = 0;      ///< cells
-  float hx = 0, hz = 0;           ///< cell size, m
+  int width = 0, height = 0;  ///< cells
+  float hx = 0, hz = 0;       ///< cell size, m
   Border xMin = Border::Open, xMax = Border::Open, zMin = Border::Open, zMax = Border::Open;
   std::vector<std::uint8_t> solid;  ///< width x height, 1 where solid, cell (i, k) at k * width + i
   std::size_t airCells = 0;

@@ -8,7 +8,8 @@ namespace {
 
 float greatestDifference(std::span<const glm::vec2> cells, glm::vec2 expected) {
   float greatest = 0;
-  for (const glm::vec2 v : cells) greatest = std::max({greatest, std::abs(v.x - expected.x), std::abs(v.y - expected.y)});
+  for (const glm::vec2 v : cells)
+    greatest = std::max({greatest, std::abs(v.x - expected.x), std::abs(v.y - expected.y)});
   return greatest;
 }
 

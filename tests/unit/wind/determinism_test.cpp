@@ -1,8 +1,8 @@
 // The same bytes for any number of threads, any instruction set and any run.
 #include <gtest/gtest.h>
 
-#include <cstring>
 #include <hwy/highway.h>
+#include <cstring>
 
 #include "tests/unit/wind/wind_fixture.hpp"
 

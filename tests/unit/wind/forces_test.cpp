@@ -115,7 +115,8 @@ TEST(WindForces, TilesNameEveryArrowThatReachesACell) {
   std::vector<ArrowForce> arrows;
   for (int n = 0; n < 60; ++n) {
     const float a = static_cast<float>(n);
-    arrows.push_back(arrow({50 * std::sin(a), 50 * std::cos(1.7f * a)}, {45 * std::cos(2.3f * a), 60 * std::sin(0.9f * a)}, 5, 0.2f + 0.2f * a));
+    arrows.push_back(arrow({50 * std::sin(a), 50 * std::cos(1.7f * a)},
+                           {45 * std::cos(2.3f * a), 60 * std::sin(0.9f * a)}, 5, 0.2f + 0.2f * a));
   }
   ArrowTiles tiles;
   binArrows(grid, arrows, tiles);
@@ -150,7 +151,8 @@ TEST(WindForces, GustsChangeTheAmbientWindByAboutTheirStrength) {
   solver.readVelocity(cells);
   double mean = 0, variance = 0;
   for (const glm::vec2 v : cells) mean += double(v.x) / double(cells.size());
-  for (const glm::vec2 v : cells) variance += double(glm::dot(v - glm::vec2(5, 0), v - glm::vec2(5, 0))) / double(cells.size());
+  for (const glm::vec2 v : cells)
+    variance += double(glm::dot(v - glm::vec2(5, 0), v - glm::vec2(5, 0))) / double(cells.size());
   EXPECT_NEAR(mean, 5, 0.3);
   EXPECT_GE(std::sqrt(variance), 0.4 * 0.3 * 5);
   EXPECT_LE(std::sqrt(variance), 1.5 * 0.3 * 5);

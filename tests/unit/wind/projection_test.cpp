@@ -1,7 +1,7 @@
 // The pressure solve: what it removes, what it leaves, on any grid.
 #include <gtest/gtest.h>
 
-#include "engine/wind/cpu_borders.hpp"
+#include "engine/wind/solver_presets.hpp"
 #include "tests/unit/wind/wind_fixture.hpp"
 
 namespace windloom::testing {
@@ -26,8 +26,10 @@ Obstacle box(glm::vec2 centre, glm::vec2 size, float rotation) {
 /// Four arrows of different directions inside a field of `size` m around the origin.
 std::vector<ArrowForce> someArrows(glm::vec2 size) {
   const float r = 0.06f * std::min(size.x, size.y);
-  return {arrow(size * glm::vec2(-0.3f, -0.2f), size * glm::vec2(-0.1f, -0.25f), 9, r), arrow(size * glm::vec2(0.2f, 0.3f), size * glm::vec2(0.1f, 0.1f), 7, r),
-          arrow(size * glm::vec2(0.3f, -0.3f), size * glm::vec2(0.1f, -0.2f), 8, r), arrow(size * glm::vec2(-0.2f, 0.3f), size * glm::vec2(-0.3f, 0.1f), 6, r)};
+  return {arrow(size * glm::vec2(-0.3f, -0.2f), size * glm::vec2(-0.1f, -0.25f), 9, r),
+          arrow(size * glm::vec2(0.2f, 0.3f), size * glm::vec2(0.1f, 0.1f), 7, r),
+          arrow(size * glm::vec2(0.3f, -0.3f), size * glm::vec2(0.1f, -0.2f), 8, r),
+          arrow(size * glm::vec2(-0.2f, 0.3f), size * glm::vec2(-0.3f, 0.1f), 6, r)};
 }
 
 void expectToleranceKept(const WindSetup& setup, int steps) {
@@ -41,12 +43,15 @@ void expectToleranceKept(const WindSetup& setup, int steps) {
   }
 }
 
-TEST(WindProjection, KeepsTheToleranceEveryStepAtTheDefaultResolution) { expectToleranceKept({}, 12); }
+TEST(WindProjection, KeepsTheToleranceEveryStepAtTheDefaultResolution) {
+  expectToleranceKept({}, 12);
+}
 
 TEST(WindProjection, KeepsTheToleranceAroundSolidsFromTheFirstStep) {
   WindSetup setup;
   setup.ambient.speed = 6;
-  setup.obstacles = {circle({-20, 0}, 6), circle({5, 14}, 3), box({10, -12}, {16, 3}, 30), box({28, 8}, {4, 20}, 0), circle({30, 30}, 0.4f)};
+  setup.obstacles = {circle({-20, 0}, 6), circle({5, 14}, 3), box({10, -12}, {16, 3}, 30), box({28, 8}, {4, 20}, 0),
+                     circle({30, 30}, 0.4f)};
   expectToleranceKept(setup, 8);
 }
 
@@ -73,9 +78,11 @@ TEST_P(WindProjectionGrid, KeepsTheTolerance) {
 
 constexpr Border O = Border::Open, L = Border::Wall, P = Border::Periodic;
 INSTANTIATE_TEST_SUITE_P(AnyResolutionAndBorders, WindProjectionGrid,
-                         ::testing::Values(GridCase{{257, 257}, O, O, O, O}, GridCase{{200, 200}, L, L, L, L}, GridCase{{33, 770}, O, L, L, O},
-                                           GridCase{{33, 770}, L, L, P, P}, GridCase{{8, 8}, L, L, L, L}, GridCase{{8, 8}, P, P, P, P},
-                                           GridCase{{97, 8}, P, P, O, L}, GridCase{{129, 65}, P, P, P, P}, GridCase{{65, 250}, O, O, L, L}));
+                         ::testing::Values(GridCase{{257, 257}, O, O, O, O}, GridCase{{200, 200}, L, L, L, L},
+                                           GridCase{{33, 770}, O, L, L, O}, GridCase{{33, 770}, L, L, P, P},
+                                           GridCase{{8, 8}, L, L, L, L}, GridCase{{8, 8}, P, P, P, P},
+                                           GridCase{{97, 8}, P, P, O, L}, GridCase{{129, 65}, P, P, P, P},
+                                           GridCase{{65, 250}, O, O, L, L}));
 
 TEST(WindProjection, SolvesLongCellsAsWellAsSquareOnes) {
   WindSetup setup;
@@ -102,7 +109,9 @@ TEST(WindProjection, RemovesDivergentWavesOfAnyLength) {
   for (const double wavelength : {2000.0, 500.0, 125.0, 31.25}) {
     EXPECT_LE(partLeft(Border::Wall, wavelength), 1e-3) << "walls, wavelength " << wavelength;
     EXPECT_LE(partLeft(Border::Open, wavelength), 1e-3) << "open, wavelength " << wavelength;
-    if (wavelength <= 1000) { EXPECT_LE(partLeft(Border::Periodic, wavelength), 1e-3) << "periodic, wavelength " << wavelength; }
+    if (wavelength <= 1000) {
+      EXPECT_LE(partLeft(Border::Periodic, wavelength), 1e-3) << "periodic, wavelength " << wavelength;
+    }
   }
 }
 
@@ -164,6 +173,19 @@ TEST(WindProjection, JacobiDoesItsSweepsAndLeavesMoreDivergence) {
   EXPECT_EQ(jacobi.diagnostics().cycles, 20);
   EXPECT_LT(jacobi.diagnostics().divergenceAfter, jacobi.diagnostics().divergenceBefore);
   EXPECT_GT(jacobi.diagnostics().divergenceAfter, 10 * multigrid.diagnostics().divergenceAfter);
+}
+
+TEST(WindPresets, CwdSimIsThePapersSchemeAndRuns) {
+  const auto preset = findSolverPreset("cwd-sim");
+  ASSERT_TRUE(preset.has_value());
+  EXPECT_FALSE(findSolverPreset("no such").has_value());
+  WindSetup setup;
+  setup.field.resolution = {96, 96};
+  setup.solver = *preset;
+  CpuWindSolver solver(setup, 1);
+  run(solver, 30, someArrows(setup.field.size));
+  EXPECT_EQ(solver.diagnostics().cycles, 20);
+  EXPECT_GT(solver.diagnostics().maxSpeed, 2);
 }
 
 TEST(WindSolids, LetNothingThroughAndConserveMass) {

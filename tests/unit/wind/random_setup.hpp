@@ -17,7 +17,8 @@ class RandomSetup {
     WindSetup s;
     s.field.resolution = {whole(8, 72), whole(8, 72)};
     s.field.size = {spread(1, 2000), one(3) ? spread(1, 2000) : 0.0f};
-    if (s.field.size.y == 0) s.field.size.y = s.field.size.x * float(s.field.resolution.y) / float(s.field.resolution.x);
+    if (s.field.size.y == 0)
+      s.field.size.y = s.field.size.x * float(s.field.resolution.y) / float(s.field.resolution.x);
     s.field.centre = {between(-100, 100), between(-100, 100)};
     s.field.timeStep = one(3) ? spread(1e-4f, 0.25f) : 1.0f / 60;
     sides(s.field.xMin, s.field.xMax);
@@ -43,7 +44,9 @@ class RandomSetup {
 
   ArrowForce force(const FieldSettings& field) {
     const float reach = std::max(field.size.x, field.size.y);
-    const glm::vec2 from = place(field), to = from + glm::vec2(between(-1, 1), between(-1, 1)) * reach * spread(0.01f, 1) + glm::vec2(0.01f, 0);
+    const glm::vec2 from = place(field), to = from +
+                                              glm::vec2(between(-1, 1), between(-1, 1)) * reach * spread(0.01f, 1) +
+                                              glm::vec2(0.01f, 0);
     ArrowForce a = arrow(from, to, between(-100, 100), spread(0.05f, 1000));
     if (one(3)) a.from = a.to;
     a.drive = one(2) ? ARROW_DRIVE_FORCE : ARROW_DRIVE_SPEED;
@@ -58,8 +61,12 @@ class RandomSetup {
 
  private:
   float between(float low, float high) { return std::uniform_real_distribution(low, high)(m_random); }
-  float spread(float low, float high) { return std::clamp(std::exp(between(std::log(low), std::log(high))), low, high); }
-  glm::vec2 place(const FieldSettings& field) { return field.centre + field.size * glm::vec2(between(-0.7f, 0.7f), between(-0.7f, 0.7f)); }
+  float spread(float low, float high) {
+    return std::clamp(std::exp(between(std::log(low), std::log(high))), low, high);
+  }
+  glm::vec2 place(const FieldSettings& field) {
+    return field.centre + field.size * glm::vec2(between(-0.7f, 0.7f), between(-0.7f, 0.7f));
+  }
   void sides(Border& low, Border& high) {
     low = static_cast<Border>(whole(0, 2));
     high = low == Border::Periodic ? low : static_cast<Border>(whole(0, 1));
@@ -89,7 +96,8 @@ inline void expectSurvival(int seed, int steps) {
     solver.step(arrows, n * double(setup.field.timeStep));
     solver.readVelocity(cells);
     for (std::size_t c = 0; c < cells.size(); ++c) {
-      ASSERT_TRUE(glm::length(cells[c]) <= setup.solver.maxSpeed * 1.0001f) << "seed " << seed << ", step " << n << ", cell " << c;
+      ASSERT_TRUE(glm::length(cells[c]) <= setup.solver.maxSpeed * 1.0001f)
+          << "seed " << seed << ", step " << n << ", cell " << c;
     }
     ASSERT_TRUE(std::isfinite(solver.diagnostics().divergenceAfter)) << "seed " << seed << ", step " << n;
   }

@@ -14,7 +14,8 @@ namespace {
 double decayError(int cells) {
   constexpr double kViscosity = 0.01, kSeconds = 0.5;
   const int steps = 16 * (cells / 16) * (cells / 16);  // the time step falls as the square of the cell size
-  WindSetup setup = bareSetup({cells, cells}, 1.0f / static_cast<float>(cells), Border::Periodic, static_cast<float>(kSeconds / steps));
+  WindSetup setup = bareSetup({cells, cells}, 1.0f / static_cast<float>(cells), Border::Periodic,
+                              static_cast<float>(kSeconds / steps));
   setup.solver.viscosity = static_cast<float>(kViscosity);
   setup.solver.divergenceTolerance = 1e-5f;
   CpuWindSolver solver(setup, 1);
@@ -95,8 +96,12 @@ void expectGhia(int cells, double reynolds, double seconds) {
   EXPECT_GE(compared, 30);
 }
 
-TEST(WindCavity, MatchesGhiaAtReynolds100) { expectGhia(64, 100, 15); }
-TEST(WindCavity, MatchesGhiaAtReynolds400) { expectGhia(96, 400, 30); }
+TEST(WindCavity, MatchesGhiaAtReynolds100) {
+  expectGhia(64, 100, 15);
+}
+TEST(WindCavity, MatchesGhiaAtReynolds400) {
+  expectGhia(96, 400, 30);
+}
 
 }  // namespace
 }  // namespace windloom::testing

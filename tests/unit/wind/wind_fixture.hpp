@@ -30,17 +30,20 @@ inline WindSetup bareSetup(glm::ivec2 cells, float cellSizeM, Border border, flo
 /// so this goes through setVelocity first.
 inline void setFaces(CpuWindSolver& solver, const std::function<glm::dvec2(double x, double z)>& velocity) {
   CpuFields& f = solver.fields();
-  const std::vector<glm::vec2> still(static_cast<std::size_t>(f.width()) * static_cast<std::size_t>(f.height()), glm::vec2(0));
+  const std::vector<glm::vec2> still(static_cast<std::size_t>(f.width()) * static_cast<std::size_t>(f.height()),
+                                     glm::vec2(0));
   (void)solver.setVelocity(still);
   const glm::dvec2 low(f.grid.mapping.minCorner), h(f.grid.mapping.cellSize);
   for (int k = 0; k < f.height(); ++k) {
     for (int i = 0; i <= f.width(); ++i) {
-      f.velocity.u.at(i, k) = f.grid.blockedX(i, k) ? 0.0f : static_cast<float>(velocity(low.x + i * h.x, low.y + (k + 0.5) * h.y).x);
+      f.velocity.u.at(i, k) =
+          f.grid.blockedX(i, k) ? 0.0f : static_cast<float>(velocity(low.x + i * h.x, low.y + (k + 0.5) * h.y).x);
     }
   }
   for (int k = 0; k <= f.height(); ++k) {
     for (int i = 0; i < f.width(); ++i) {
-      f.velocity.w.at(i, k) = f.grid.blockedZ(i, k) ? 0.0f : static_cast<float>(velocity(low.x + (i + 0.5) * h.x, low.y + k * h.y).y);
+      f.velocity.w.at(i, k) =
+          f.grid.blockedZ(i, k) ? 0.0f : static_cast<float>(velocity(low.x + (i + 0.5) * h.x, low.y + k * h.y).y);
     }
   }
 }
@@ -57,7 +60,8 @@ inline std::function<glm::dvec2(double, double)> taylorGreen(double size, double
 inline double faceEnergy(const CpuFields& f) {
   double sum = 0;
   for (int k = 0; k < f.height(); ++k) {
-    for (int i = 0; i < f.width(); ++i) sum += std::pow(double(f.velocity.u.at(i, k)), 2) + std::pow(double(f.velocity.w.at(i, k)), 2);
+    for (int i = 0; i < f.width(); ++i)
+      sum += std::pow(double(f.velocity.u.at(i, k)), 2) + std::pow(double(f.velocity.w.at(i, k)), 2);
   }
   return sum;
 }
@@ -68,7 +72,8 @@ inline double faceError(const CpuFields& f, const std::function<glm::dvec2(doubl
   double error = 0, size = 0;
   for (int k = 0; k < f.height(); ++k) {
     for (int i = 0; i < f.width(); ++i) {
-      const double u = exact(low.x + i * h.x, low.y + (k + 0.5) * h.y).x, w = exact(low.x + (i + 0.5) * h.x, low.y + k * h.y).y;
+      const double u = exact(low.x + i * h.x, low.y + (k + 0.5) * h.y).x,
+                   w = exact(low.x + (i + 0.5) * h.x, low.y + k * h.y).y;
       error += std::pow(double(f.velocity.u.at(i, k)) - u, 2) + std::pow(double(f.velocity.w.at(i, k)) - w, 2);
       size += u * u + w * w;
     }
