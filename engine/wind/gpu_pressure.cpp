@@ -16,7 +16,6 @@ constexpr CoarseningRule kCoarsening = WIND_GPU_COARSENING == 4 ? coarseningByFo
 static_assert(WIND_INNER % WIND_GPU_COARSENING == 0, "coarse cells don't straddle work-groups");
 static_assert(WIND_GPU_SWEEPS < WIND_HALO, "the residual after the sweeps needs one cell more");
 static_assert(WIND_REGION % WIND_STRIP == 0 && WIND_REGION * WIND_STRIPS <= 1024, "a work-group of whole strips");
-constexpr std::size_t kTailCommand = WIND_MAX_LEVELS - 1;
 
 std::size_t commandOffset(std::size_t level) {
   return offsetof(shared::WindControl, groups) + level * 4 * sizeof(shared::uint);
@@ -108,7 +107,7 @@ Status GpuPressure::rebuild(GpuFields& fields) {
     levels = buildPressureLevels(fields.grid);
     levels.push_back(levels.front());
   }
-  WL_REQUIRE(levels.size() < WIND_MAX_LEVELS, "levels shrink by four");
+  WL_REQUIRE(levels.size() <= WIND_COMMAND_FIRST, "levels shrink by four");
   const std::size_t own = firstOfTail(levels);
   m_levels.clear();
   m_levels.resize(own);
@@ -284,11 +283,11 @@ void GpuPressure::runTail(const gpu::Buffer& control) {
   m_tailInverse.bindStorage(WIND_SSBO_INVERSE);
   m_tailFlux.bindStorage(WIND_SSBO_FLUX);
   m_tailUp.bindStorage(WIND_SSBO_D_OUT);
-  m_tail->dispatchIndirect(control, commandOffset(kTailCommand));
+  m_tail->dispatchIndirect(control, commandOffset(WIND_COMMAND_TAIL));
 }
 
 void GpuPressure::solveMultigrid(const GpuFields& fields, int cycles) {
-  goDown(0, *m_first, nullptr);
+  startWith(*m_first, fields.control);
   for (int cycle = 0; cycle < cycles; ++cycle) {
     if (cycle > 0) goDown(0, *m_levels[0].downward, &fields.control);
     for (std::size_t l = 1; l < m_levels.size(); ++l) goDown(l, *m_levels[l].downward, &fields.control);
@@ -297,15 +296,25 @@ void GpuPressure::solveMultigrid(const GpuFields& fields, int cycles) {
   }
 }
 
-void GpuPressure::solveJacobi(int sweeps) {
+/// The first pass, and a second time for steps in which the last one's pressure is of no use.
+void GpuPressure::startWith(const gpu::Program& first, const gpu::Buffer& control) {
+  goDown(0, first, nullptr);
+  afterLastPass();
+  first.dispatchIndirect(control, commandOffset(WIND_COMMAND_FIRST));
+}
+
+void GpuPressure::solveJacobi(const GpuFields& fields, int sweeps) {
   int left = std::max(sweeps, 1);
-  const gpu::Program* program = m_jacobiFirst;
-  while (left > 0) {
+  for (bool first = true; left > 0; first = false) {
+    const gpu::Program& program = first ? *m_jacobiFirst : *m_jacobi;
     const int now = std::min(left, WIND_HALO);
-    program->set("sweepCount", now);
-    goDown(0, *program, nullptr);
+    program.set("sweepCount", now);
+    if (first) {
+      startWith(program, fields.control);
+    } else {
+      goDown(0, program, nullptr);
+    }
     std::swap(m_down, m_up);  // what was written is what the next one reads
-    program = m_jacobi;
     left -= now;
   }
 }
@@ -317,7 +326,7 @@ void GpuPressure::solve(const GpuFields& fields, const gpu::Buffer& star, int cy
   fields.control.bindStorage(WIND_SSBO_CONTROL);
   bindScratch(fields, star);
   if (fields.solver.pressure == Pressure::Jacobi) {
-    solveJacobi(fields.solver.jacobiSweeps);
+    solveJacobi(fields, fields.solver.jacobiSweeps);
   } else {
     solveMultigrid(fields, cycles);
   }

@@ -47,7 +47,8 @@ class GpuPressure {
   Status sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid);
   Status loadPrograms();
   void solveMultigrid(const GpuFields& fields, int cycles);
-  void solveJacobi(int sweeps);
+  void solveJacobi(const GpuFields& fields, int sweeps);
+  void startWith(const gpu::Program& first, const gpu::Buffer& control);
   void goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control);
   void goUp(std::size_t level, const gpu::Buffer& control);
   void runTail(const gpu::Buffer& control);

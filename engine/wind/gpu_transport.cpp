@@ -58,6 +58,7 @@ void GpuTransport::force(const GpuFields& fields, const GpuArrows& arrows) const
   arrows.bind();
   fields.velocity.bindStorage(WIND_SSBO_VELOCITY);
   fields.carried.bindStorage(WIND_SSBO_CARRIED);
+  fields.control.bindStorage(WIND_SSBO_CONTROL);
   constexpr int kAcross = WIND_FORCE_GROUP_X - 1, kAlong = WIND_FORCE_GROUP_Z - 1;
   m_forces->dispatch((fields.width() + 1 + kAcross - 1) / kAcross, (fields.height() + 1 + kAlong - 1) / kAlong);
 }

@@ -91,6 +91,10 @@ struct WindBlock {
   WindGustLayer gustLayers[WIND_GUST_LAYERS];
 };
 
+// Indirect dispatches that belong to no level.
+#define WIND_COMMAND_FIRST (WIND_MAX_LEVELS - 2)  // the first pass of the solve once more
+#define WIND_COMMAND_TAIL (WIND_MAX_LEVELS - 1)
+
 // One level of the pressure solve (std140).
 struct WindLevel {
   int width, height;              // cells
@@ -120,8 +124,9 @@ struct WindControl {
   float crossing;                 // cells a step
   float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
   float size;                     // A p . A p
-  uint paddingA, paddingB, paddingC;
-  uint groups[WIND_MAX_LEVELS * 4];  // indirect dispatches: x, y, z of each level; the last entry is the tail's
+  uint dropped;                   // 1: the last step's pressure was of no use in this one
+  uint paddingA, paddingB;
+  uint groups[WIND_MAX_LEVELS * 4];  // indirect dispatches: x, y, z of each level and of the two commands below
 };
 
 WL_SHARED_END

@@ -25,7 +25,7 @@ float corrected(float firstValue, float q, float returned, vec4 from, bool left)
 void main() {
   int i = int(gl_GlobalInvocationID.x), k = int(gl_GlobalInvocationID.y);
   bool hasU = i <= wind.width && k < wind.height, hasW = i < wind.width && k <= wind.height;
-  bool healthy = true;
+  uint bad = 0u;
   vec2 t;
   if (hasU) {
     int si = periodicX() && i == wind.width ? 0 : i;  // the last face of a periodic pair is the first one, to the bit
@@ -37,7 +37,7 @@ void main() {
     float returned = blend(CORNERS(first, at), t);
     float q = corrected(first[uAt(si, k)], carried[uAt(si, k)], returned, from, leftField(back) || leftField(forth));
 #ifdef SETTLE
-    q = settled(q, wind.ambient.x, openX(i, k), healthy);
+    q = settled(q, wind.ambient.x, openX(i, k), bad);
 #endif
     result[uAt(i, k)] = q;
   }
@@ -51,11 +51,11 @@ void main() {
     float returned = blend(CORNERS(first, at), t);
     float q = corrected(first[wAt(i, sk)], carried[wAt(i, sk)], returned, from, leftField(back) || leftField(forth));
 #ifdef SETTLE
-    q = settled(q, wind.ambient.y, openZ(i, k), healthy);
+    q = settled(q, wind.ambient.y, openZ(i, k), bad);
 #endif
     result[wAt(i, k)] = q;
   }
 #ifdef SETTLE
-  if (!healthy) reportUnhealthy(i, k);
+  reportUnhealthy(i, k, bad);
 #endif
 }

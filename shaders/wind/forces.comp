@@ -8,9 +8,11 @@
 layout(local_size_x = WIND_FORCE_GROUP_X, local_size_y = WIND_FORCE_GROUP_Z) in;
 layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Velocity { float velocity[]; };
 layout(std430, binding = WIND_SSBO_CARRIED) writeonly buffer Carried { float carried[]; };
+layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
 
 #define GHOST_TARGET carried
 #include "shaders/wind/ghosts.glsl"
+#include "shaders/wind/health.glsl"
 #include "shaders/wind/cell_velocity.glsl"
 #include "shaders/wind/arrows.glsl"
 #include "shaders/wind/gusts.glsl"
@@ -62,12 +64,14 @@ void main() {
   barrier();
   if (local.x == 0 || local.y == 0 || !near) return;
   vec2 own = increments[local.y][local.x];
+  uint bad = 0u;
   if (cell.y < size.y) {
     float added = 0.5 * (increments[local.y][local.x - 1].x + own.x);
-    storeU(cell.x, cell.y, velocity[uAt(cell.x, cell.y)] + added);
+    storeU(cell.x, cell.y, healed(velocity[uAt(cell.x, cell.y)] + added, wind.ambient.x, bad));
   }
   if (cell.x < size.x) {
     float added = 0.5 * (increments[local.y - 1][local.x].y + own.y);
-    storeW(cell.x, cell.y, velocity[wAt(cell.x, cell.y)] + added);
+    storeW(cell.x, cell.y, healed(velocity[wAt(cell.x, cell.y)] + added, wind.ambient.y, bad));
   }
+  reportUnhealthy(cell.x, cell.y, bad);
 }

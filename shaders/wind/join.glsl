@@ -1,6 +1,6 @@
-// Joining V-cycles by conjugate residuals (Eisenstat, Elman & Schultz 1983), on level 0: before the next cycle, the last
-// one's correction is made part of the solution and its effect taken off the residual. docs/solver.md section 6. Needs
-// region.glsl and a buffer `control`.
+// Joining V-cycles by conjugate residuals (Eisenstat, Elman & Schultz 1983), on level 0: before the next cycle, the
+// last one's correction is made part of the solution and its effect taken off the residual. docs/solver.md section 6.
+// Needs region.glsl and a buffer `control`.
 
 layout(std430, binding = WIND_SSBO_D_IN) readonly buffer DIn { float z[]; };
 layout(std430, binding = WIND_SSBO_FLUX) buffer Flux { float flux[]; };

@@ -19,14 +19,14 @@ layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control
 void main() {
   int i = int(gl_GlobalInvocationID.x), k = int(gl_GlobalInvocationID.y);
   bool hasU = i <= wind.width && k < wind.height, hasW = i < wind.width && k <= wind.height;
-  bool healthy = true;
+  uint bad = 0u;
   vec2 t;
   if (hasU) {
     int si = periodicX() && i == wind.width ? 0 : i;  // the last face of a periodic pair is the first one, to the bit
     int at = carriedU(trace(vec2(si, float(k) + 0.5), velocityOnX(si, k), -1.0), t);
     float q = blend(CORNERS(carried, at), t);
 #ifdef SETTLE
-    q = settled(q, wind.ambient.x, openX(i, k), healthy);
+    q = settled(q, wind.ambient.x, openX(i, k), bad);
 #endif
     storeU(i, k, q);
   }
@@ -35,11 +35,11 @@ void main() {
     int at = carriedW(trace(vec2(float(i) + 0.5, sk), velocityOnZ(i, sk), -1.0), t);
     float q = blend(CORNERS(carried, at), t);
 #ifdef SETTLE
-    q = settled(q, wind.ambient.y, openZ(i, k), healthy);
+    q = settled(q, wind.ambient.y, openZ(i, k), bad);
 #endif
     storeW(i, k, q);
   }
 #ifdef SETTLE
-  if (!healthy) reportUnhealthy(i, k);
+  reportUnhealthy(i, k, bad);
 #endif
 }

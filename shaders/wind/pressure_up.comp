@@ -13,8 +13,8 @@ layout(std430, binding = WIND_SSBO_COARSE_FACES) readonly buffer CoarseFaces { v
 layout(std430, binding = WIND_SSBO_APPLIED) buffer Applied { float applied[]; };
 layout(std430, binding = WIND_SSBO_LAST_APPLIED) readonly buffer LastApplied { float lastApplied[]; };
 layout(std430, binding = WIND_SSBO_CONTROL) coherent buffer Control { WindControl control; };
-#define SUM_COUNT 3
-#define SUM_ADDED 3
+#define SUM_COUNT 4
+#define SUM_ADDED 4
 #include "shaders/wind/sums.glsl"
 #include "shaders/wind/solve_control.glsl"
 #include "shaders/wind/halves.glsl"
@@ -55,7 +55,7 @@ float correctionAt(ivec2 place) {
 }
 
 #ifdef LEVEL0
-// The products r . A z, A z . A z and A z . A p of the inner cells; stores A z.
+// The products r . A z, A z . A z, A z . A p and r . r of the inner cells; stores A z.
 void measure(inout float sums[SUM_COUNT]) {
   float az[WIND_STRIP];
   gather(az);
@@ -66,6 +66,7 @@ void measure(inout float sums[SUM_COUNT]) {
     applied[cell] = value;
     sums[0] += cells[n].b * value;
     sums[1] += value * value;
+    sums[3] += cells[n].b * cells[n].b;
     if (control.cycles > 0u) sums[2] += value * lastApplied[halfOf(control.cycles) + cell];
   }
 }
@@ -78,11 +79,12 @@ void endCycle(float sums[SUM_COUNT]) {
   control.beta = beta;
   control.size = size;
   control.alpha = alpha;
-  control.flux -= alpha * sums[0] * wind.perAir;
+  // From r . r of this cycle: subtracted cycle by cycle, the first one's rounding would hide the last one's residual.
+  control.flux = max(sums[3] - alpha * sums[0], 0.0) * wind.perAir;
   control.cycles += 1u;
   if (useful && control.flux > control.wanted) return;
   control.converged = 1u;
-  setDispatches(false);
+  setDispatches(false, false);
 }
 #endif
 
@@ -105,7 +107,7 @@ void main() {
     if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
   }
 #ifdef LEVEL0
-  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
+  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
   measure(sums);
   if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums);
 #endif

@@ -68,6 +68,7 @@ void report(float total[SUM_COUNT]) {
   control.maxFluxAfter = total[2];
   control.maxSpeedSquare = total[3];
   control.crossing = total[4];
+  control.dropped = 0u;  // every work-group has read it
 }
 
 void main() {
@@ -77,9 +78,10 @@ void main() {
     int at = cellAt(i, k);
     uint flags = flagsOf(i, k);
     vec4 q = vec4(star[uAt(i, k)], star[uAt(i + 1, k)], star[wAt(i, k)], star[wAt(i, k + 1)]);
-    float pressure = phi[at];
+    bool kept = control.dropped == 0u;
+    float pressure = kept ? phi[at] : 0.0;
     ivec4 beside = neighboursOf(at, i, k);
-    q = withoutGradient(q, flags, pressure, vec4(phi[beside.x], phi[beside.y], phi[beside.z], phi[beside.w]));
+    if (kept) q = withoutGradient(q, flags, pressure, vec4(phi[beside.x], phi[beside.y], phi[beside.z], phi[beside.w]));
     float solution = solutionAt(at);
     vec4 around = vec4(solutionAt(beside.x), solutionAt(beside.y), solutionAt(beside.z), solutionAt(beside.w));
     q = withoutGradient(q, flags, solution, around);

@@ -27,7 +27,7 @@ float swept(int at) {
 
 void main() {
   int i = int(gl_GlobalInvocationID.x), k = int(gl_GlobalInvocationID.y);
-  bool healthy = true;
+  uint bad = 0u;
   if (i <= wind.width && k < wind.height) {
     int at = uAt(i, k);
     bool open = openX(i, k);
@@ -38,7 +38,7 @@ void main() {
     float y = moves ? swept(at) : next[at];
 #endif
 #ifdef SETTLE
-    y = settled(y, wind.ambient.x, open, healthy);
+    y = settled(y, wind.ambient.x, open, bad);
 #endif
     storeU(i, k, open ? y : 0.0);
   }
@@ -52,11 +52,11 @@ void main() {
     float y = moves ? swept(at) : next[at];
 #endif
 #ifdef SETTLE
-    y = settled(y, wind.ambient.y, open, healthy);
+    y = settled(y, wind.ambient.y, open, bad);
 #endif
     storeW(i, k, open ? y : 0.0);
   }
 #ifdef SETTLE
-  if (!healthy) reportUnhealthy(i, k);
+  reportUnhealthy(i, k, bad);
 #endif
 }

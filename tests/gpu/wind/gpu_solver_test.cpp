@@ -303,6 +303,27 @@ TEST_F(GpuSolver, StaysFiniteAndBelowTheLimitInWildSettings) {
   }
 }
 
+TEST_F(GpuSolver, HealsAndReportsFacesThatAreNotFinite) {
+  const WindSetup setup = usualSetup({64, 48}, 0.5f, Border::Open);
+  const auto gpu = make(setup);
+  ArrowForce broken = arrow({20, 12}, {22, 12}, std::numeric_limits<float>::infinity(), 1);
+  broken.drive = ARROW_DRIVE_FORCE;
+  gpu->step({&broken, 1}, 0);
+  gpu->step({}, 1.0 / 60);
+  std::vector<glm::vec2> cells;
+  gpu->readVelocity(cells);
+  for (const glm::vec2 v : cells) ASSERT_LE(glm::length(v), setup.solver.maxSpeed);
+  const WindDiagnostics& d = gpu->diagnostics();
+  EXPECT_GT(d.nonFiniteCells, 0);
+  EXPECT_LT(d.nonFiniteCells, 100);
+  EXPECT_NEAR(d.firstNonFinite.x, 42, 4);
+  EXPECT_NEAR(d.firstNonFinite.y, 23, 4);
+  gpu->reset();
+  gpu->step({}, 0);
+  gpu->readVelocity(cells);
+  EXPECT_EQ(gpu->diagnostics().nonFiniteCells, 0);
+}
+
 TEST_F(GpuSolver, SumsThousandsOfArrowsLikeTheCpu) {
   const WindSetup setup = usualSetup({96, 96}, 0.5f, Border::Open);
   std::mt19937 random(5);
