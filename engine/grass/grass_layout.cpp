@@ -68,7 +68,7 @@ GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout,
   block.tileOrigin = {layout.origin, kMeadowMarginM, 0.0f};
   block.cover = {kLeastPixels / quality, kMostWidening, quality, kFadePixels / std::sqrt(quality)};
   const float coarser = 1.0f / std::sqrt(quality);
-  block.levels = {70.0f * coarser, 20.0f * coarser, closed, 0.0f};
+  block.levels = {70.0f * coarser, 20.0f * coarser, closed, grass.density * grass.width * grass.height};
   block.capacity = {glm::vec3(layout.capacity), 0.0f};
   return block;
 }

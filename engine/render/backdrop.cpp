@@ -17,11 +17,11 @@ constexpr int kRings = 6, kSectors = 24;  // as in shaders/terrain/ground.vert
 
 Result<Backdrop> Backdrop::create(gpu::ShaderLibrary& shaders) {
   Backdrop backdrop;
-  if (Status loaded = loadPrograms(shaders, {{"sky/bake", &backdrop.m_bake}, {"sky/sky", &backdrop.m_sky}, {"terrain/ground", &backdrop.m_ground}});
+  if (Status loaded = loadPrograms(shaders, {{"sky/bake", &backdrop.m_bake}, {"sky/sky", &backdrop.m_sky}, {"terrain/ground", &backdrop.m_ground}, {"terrain/ground quick", &backdrop.m_groundQuick}});
       !loaded) {
     return loaded.error();
   }
-  Result<gpu::Texture> sky = gpu::Texture::create2D("sky", kSkySize, GL_RGBA16F, {.filter = gpu::Filter::Linear});
+  Result<gpu::Texture> sky = gpu::Texture::create2D("sky", kSkySize, GL_RGBA8, {.filter = gpu::Filter::Linear});
   if (!sky) return sky.error();
   backdrop.m_skyMap = std::move(*sky);
   // The azimuth runs round, the elevation doesn't.
@@ -45,13 +45,14 @@ void Backdrop::bakeSky() {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-void Backdrop::drawGround(const gpu::PassState& state, const ViewCamera& camera) const {
+void Backdrop::drawGround(const gpu::PassState& state, const ViewCamera& camera, GroundDetail detail) const {
   const gpu::DebugGroup group("ground");
   gpu::apply(state);
-  m_ground->use();
+  const gpu::Program& program = detail == GroundDetail::Full ? *m_ground : *m_groundQuick;
+  program.use();
   const float reach = camera.orthographic ? 4.0f * camera.orthographicHeight + camera.farPlane : 0.98f * camera.farPlane;
   const float rings[kRings] = {0.0f, 0.002f * reach, 0.01f * reach, 0.05f * reach, 0.25f * reach, reach};
-  for (int ring = 0; ring < kRings; ++ring) m_ground->set("rings[" + std::to_string(ring) + "]", rings[ring]);
+  for (int ring = 0; ring < kRings; ++ring) program.set("rings[" + std::to_string(ring) + "]", rings[ring]);
   m_noVertices.bind();
   glDrawArrays(GL_TRIANGLES, 0, (kRings - 1) * kSectors * 6);
 }

@@ -16,7 +16,9 @@ class Backdrop {
 
   /// Draws clouds and ridges into their map once. Frame block and noise must be bound.
   void bakeSky();
-  void drawGround(const gpu::PassState& state, const ViewCamera& camera) const;
+  /// Full detail samples the ground's finest texture too; a software renderer goes without.
+  enum class GroundDetail { Full, Quick };
+  void drawGround(const gpu::PassState& state, const ViewCamera& camera, GroundDetail detail) const;
   void drawSky(const gpu::PassState& state) const;
 
  private:
@@ -24,6 +26,7 @@ class Backdrop {
   gpu::Program* m_bake = nullptr;
   gpu::Program* m_sky = nullptr;
   gpu::Program* m_ground = nullptr;
+  gpu::Program* m_groundQuick = nullptr;
   gpu::Texture m_skyMap;
   gpu::Handle<gpu::FramebufferKind> m_skyTarget;
   gpu::VertexArray m_noVertices;

@@ -4,14 +4,12 @@
 
 #include "engine/core/log.hpp"
 #include "engine/gpu/context.hpp"
-#include "engine/gpu/debug_group.hpp"
 #include "engine/gpu/timer.hpp"
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/noise_texture.hpp"
 #include "engine/render/overlay_pass.hpp"
-#include "engine/render/render_programs.hpp"
 #include "engine/render/scene_targets.hpp"
 #include "engine/render/solids.hpp"
 #include "shaders/shared/render_bindings.h"
@@ -19,8 +17,9 @@
 namespace windloom {
 namespace {
 
-// A software renderer draws one sample a pixel below this detail: there the time goes further in blades.
-constexpr float kSoftwareMultisampleDetail = 0.6f;
+// Below this detail a software renderer draws one sample a pixel and a simpler ground: there the time goes
+// further in blades.
+constexpr float kSoftwareFullDetail = 0.6f;
 
 struct Parts {
   InstancedGrass grass;
@@ -73,10 +72,7 @@ class WindSampler {
 
 class FrameRendererImpl final : public FrameRenderer {
  public:
-  FrameRendererImpl(Parts parts, gpu::Program* toneMap, gpu::Program* toneMapMultisampled, bool software)
-      : m_parts(std::move(parts)), m_toneMap(toneMap), m_toneMapMultisampled(toneMapMultisampled), m_software(software) {
-    m_noVertices = gpu::VertexArray::create("tone map");
-  }
+  FrameRendererImpl(Parts parts, bool software) : m_parts(std::move(parts)), m_software(software) {}
 
   FrameStats render(const FrameInput& input) override {
     WL_REQUIRE(input.project != nullptr, "a frame shows a project");
@@ -89,11 +85,10 @@ class FrameRendererImpl final : public FrameRenderer {
     drawScene(input);
     if (OverlayPass::wanted(input.overlays)) {
       m_timer.stage("overlays");
-      m_targets.clearOverlay();
-      m_parts.overlays.draw(input, m_targets.overlay());
+      m_parts.overlays.draw(input, m_targets.scene());
     }
-    m_timer.stage("tone map");
-    drawPicture(input);
+    m_timer.stage("resolve");
+    m_targets.resolve(input.framebuffer, input.origin);
     m_timer.endFrame();
     WindSampler::unbind();
     return stats();
@@ -122,8 +117,10 @@ class FrameRendererImpl final : public FrameRenderer {
     return false;
   }
 
+  [[nodiscard]] bool quick(const FrameInput& input) const { return m_software && input.quality.detail < kSoftwareFullDetail; }
+
   bool fitTargets(const FrameInput& input) {
-    const int samples = m_software && input.quality.detail < kSoftwareMultisampleDetail ? 1 : 4;
+    const int samples = quick(input) ? 1 : 4;
     if (m_targets.size() == input.size && m_targets.samples() == samples) return true;
     m_targets = SceneTargets();
     Result<SceneTargets> targets = SceneTargets::create(input.size, samples);
@@ -151,28 +148,15 @@ class FrameRendererImpl final : public FrameRenderer {
     const gpu::PassState state{.framebuffer = m_targets.scene(), .viewport = {0, 0, input.size.x, input.size.y},
                                .depth = gpu::Depth::TestAndWrite};
     gpu::apply(state);
-    m_targets.clearScene();
+    m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
     m_timer.stage("grass");
     m_parts.grass.draw(state);
     m_timer.stage("ground");
-    m_parts.backdrop.drawGround(state, input.camera);
+    m_parts.backdrop.drawGround(state, input.camera, quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full);
     m_timer.stage("sky");
     m_parts.backdrop.drawSky(state);
-  }
-
-  void drawPicture(const FrameInput& input) {
-    const gpu::DebugGroup group("tone map");
-    gpu::apply({.framebuffer = input.framebuffer, .viewport = {input.origin.x, input.origin.y, input.size.x, input.size.y}});
-    const gpu::Program& program = m_targets.samples() > 1 ? *m_toneMapMultisampled : *m_toneMap;
-    program.use();
-    program.set("origin", input.origin);
-    program.set("withOverlay", OverlayPass::wanted(input.overlays) ? 1 : 0);
-    m_targets.light().bind(RENDER_TEXTURE_SCENE);
-    m_targets.overlayColour().bind(RENDER_TEXTURE_OVERLAY);
-    m_noVertices.bind();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 
   FrameStats stats() {
@@ -185,11 +169,8 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   Parts m_parts;
-  gpu::Program* m_toneMap;
-  gpu::Program* m_toneMapMultisampled;
   bool m_software;
   WindSampler m_windSampler;
-  gpu::VertexArray m_noVertices;
   SceneTargets m_targets;
   gpu::GpuTimer m_timer;
   Shared<FieldSettings> m_field;
@@ -203,12 +184,7 @@ class FrameRendererImpl final : public FrameRenderer {
 Result<std::unique_ptr<FrameRenderer>> FrameRenderer::create(gpu::Context& context, gpu::ShaderLibrary& shaders) {
   Result<Parts> parts = createParts(shaders);
   if (!parts) return parts.error();
-  gpu::Program *toneMap = nullptr, *toneMapMultisampled = nullptr;
-  if (Status loaded = loadPrograms(shaders, {{"post/tone map", &toneMap}, {"post/tone map multisampled", &toneMapMultisampled}}); !loaded) {
-    return loaded.error();
-  }
-  return std::unique_ptr<FrameRenderer>(
-      std::make_unique<FrameRendererImpl>(std::move(*parts), toneMap, toneMapMultisampled, context.info().software));
+  return std::unique_ptr<FrameRenderer>(std::make_unique<FrameRendererImpl>(std::move(*parts), context.info().software));
 }
 
 }  // namespace windloom

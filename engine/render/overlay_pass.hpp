@@ -17,7 +17,7 @@ class OverlayPass {
   /// Whether these overlays draw anything.
   static bool wanted(const Overlays& overlays) { return overlays.arrows || overlays.vectors || overlays.speed; }
 
-  /// Draws into `framebuffer`, whose depth is the scene's, in picture colours. Frame block, wind and noise
+  /// Draws over the scene in `framebuffer`, which holds its depth, too. Frame block, wind and noise
   /// must be bound. What grass or stone hides stays faintly visible.
   void draw(const FrameInput& input, unsigned framebuffer);
 

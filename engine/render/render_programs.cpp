@@ -8,7 +8,8 @@ namespace {
 constexpr gpu::ProgramSpec kPrograms[] = {
     {"sky/bake", {"include/fullscreen.vert", "sky/sky_bake.frag"}},
     {"sky/sky", {"include/fullscreen.vert", "sky/sky.frag"}},
-    {"terrain/ground", {"terrain/ground.vert", "terrain/ground.frag"}},
+    {"terrain/ground", {"terrain/ground.vert", "terrain/ground.frag"}, "FULL_DETAIL"},
+    {"terrain/ground quick", {"terrain/ground.vert", "terrain/ground.frag"}},
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
     {"field/speed map", {"field/speed_map.vert", "field/speed_map.frag"}},
@@ -17,8 +18,6 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"field/area", {"field/area.vert", "field/area.frag"}},
     {"field/point", {"field/point.vert", "field/point.frag"}},
     {"field/outline", {"field/outline.vert", "field/outline.frag"}},
-    {"post/tone map", {"include/fullscreen.vert", "post/tone_map.frag"}, "SAMPLES=1"},
-    {"post/tone map multisampled", {"include/fullscreen.vert", "post/tone_map.frag"}, "SAMPLES=4"},
 };
 
 }  // namespace

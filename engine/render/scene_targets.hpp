@@ -1,10 +1,8 @@
 #pragma once
-// Where a frame is drawn before it becomes a picture: the scene's light and, over the same depth, the
-// overlays in picture colours.
+// Where a frame is drawn before it is resolved into the picture: colours of the picture (sRGB-encoded) and depth.
 
 #include "engine/core/result.hpp"
-#include "engine/gpu/handle.hpp"
-#include "engine/gpu/texture.hpp"
+#include "engine/gpu/framebuffer.hpp"
 
 namespace windloom {
 
@@ -15,21 +13,17 @@ class SceneTargets {
   /// `samples` 1 or 4. Fails with Machine.
   static Result<SceneTargets> create(glm::ivec2 size, int samples);
 
-  [[nodiscard]] glm::ivec2 size() const { return m_size; }
+  [[nodiscard]] glm::ivec2 size() const { return m_scene.size(); }
   [[nodiscard]] int samples() const { return m_samples; }
   [[nodiscard]] unsigned scene() const { return m_scene.name(); }
-  [[nodiscard]] unsigned overlay() const { return m_overlay.name(); }
-  [[nodiscard]] const gpu::Texture& light() const { return m_light; }
-  [[nodiscard]] const gpu::Texture& overlayColour() const { return m_overlayColour; }
 
-  void clearScene() const;    ///< depth only: sky and ground cover every pixel
-  void clearOverlay() const;  ///< transparent
+  void clearDepth() const { m_scene.clearDepth(1.0f); }  ///< colours need none: sky and ground cover every pixel
+  /// Averages the samples into `framebuffer` (any 8-bit colour format) at `origin`.
+  void resolve(unsigned framebuffer, glm::ivec2 origin) const;
 
  private:
-  gpu::Texture m_light, m_overlayColour, m_depth;
-  gpu::Handle<gpu::FramebufferKind> m_scene, m_overlay;
-  glm::ivec2 m_size{0};
-  int m_samples = 1;
+  gpu::Framebuffer m_scene, m_resolved;
+  int m_samples = 1;  // as asked for
 };
 
 }  // namespace windloom

@@ -39,21 +39,15 @@ Result<SolidPass> SolidPass::create(gpu::ShaderLibrary& shaders) {
 }
 
 Status SolidPass::makeMap(glm::ivec2 size) {
-  if (m_distance.name() != 0 && glm::ivec2(m_distance.size()) == size) return Done{};
-  Result<gpu::Texture> distance = gpu::Texture::create2D("solid distance", size, GL_R16F);
-  if (!distance) return distance.error();
-  Result<gpu::Texture> shadow = gpu::Texture::create2D("solid shadow", size, GL_R16F);
-  if (!shadow) return shadow.error();
+  if (m_mapTexture.name() != 0 && glm::ivec2(m_mapTexture.size()) == size) return Done{};
+  Result<gpu::Texture> texture = gpu::Texture::create2D("solid map", size, GL_RG16F);
+  if (!texture) return texture.error();
   GLuint name = 0;
   glCreateFramebuffers(1, &name);
   m_map = gpu::Handle<gpu::FramebufferKind>(name);
   gpu::labelObject(gpu::FramebufferKind::kLabel, name, "solid map");
-  m_distance = std::move(*distance);
-  m_shadow = std::move(*shadow);
-  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, m_distance.name(), 0);
-  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT1, m_shadow.name(), 0);
-  const GLenum both[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glNamedFramebufferDrawBuffers(name, 2, both);
+  m_mapTexture = std::move(*texture);
+  glNamedFramebufferTexture(name, GL_COLOR_ATTACHMENT0, m_mapTexture.name(), 0);
   if (glCheckNamedFramebufferStatus(name, GL_DRAW_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     return makeError(ErrorKind::Machine, "OpenGL refuses the framebuffer 'solid map'");
   }
@@ -78,16 +72,14 @@ void SolidPass::updateMap() {
   if (m_mapFresh) return;
   m_mapFresh = true;
   const gpu::DebugGroup group("solid map");
-  const float far[4] = {kFarM, 0.0f, 0.0f, 0.0f}, none[4] = {-1.0f, 0.0f, 0.0f, 0.0f};
-  gpu::apply({.framebuffer = m_map.name(), .viewport = {0, 0, m_distance.size().x, m_distance.size().y}});
-  glClearNamedFramebufferfv(m_map.name(), GL_COLOR, 0, far);
-  glClearNamedFramebufferfv(m_map.name(), GL_COLOR, 1, none);
+  const float nothing[4] = {kFarM, 1.0f, 0.0f, 0.0f};  // far away, its shadow below the ground
+  gpu::apply({.framebuffer = m_map.name(), .viewport = {0, 0, m_mapTexture.size().x, m_mapTexture.size().y}});
+  glClearNamedFramebufferfv(m_map.name(), GL_COLOR, 0, nothing);
   if (m_count == 0) return;
-  // The nearest solid and the highest shadow win; PassState knows no such blending.
+  // The least of both values is kept; PassState knows no such blending.
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
-  glBlendEquationi(0, GL_MIN);
-  glBlendEquationi(1, GL_MAX);
+  glBlendEquation(GL_MIN);
   m_drawMap->use();
   m_solids.bindStorage(RENDER_SSBO_SOLIDS);
   m_noVertices.bind();
@@ -95,10 +87,7 @@ void SolidPass::updateMap() {
   glBlendEquation(GL_FUNC_ADD);
 }
 
-void SolidPass::bindMap() const {
-  m_distance.bind(RENDER_TEXTURE_SOLID_DISTANCE);
-  m_shadow.bind(RENDER_TEXTURE_SOLID_SHADOW);
-}
+void SolidPass::bindMap() const { m_mapTexture.bind(RENDER_TEXTURE_SOLIDS); }
 
 void SolidPass::draw(const gpu::PassState& state) const {
   if (m_count == 0) return;

@@ -39,7 +39,7 @@ class SolidPass {
   gpu::Program* m_draw = nullptr;
   gpu::Program* m_drawMap = nullptr;
   gpu::Buffer m_solids;
-  gpu::Texture m_distance, m_shadow;
+  gpu::Texture m_mapTexture;
   gpu::Handle<gpu::FramebufferKind> m_map;
   gpu::VertexArray m_noVertices;
   int m_count = 0;

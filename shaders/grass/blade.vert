@@ -6,11 +6,12 @@
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/atmosphere.glsl"
+#include "shaders/include/tone_map.glsl"
 
 layout(std430, binding = RENDER_SSBO_BLADES) readonly buffer Blades { GrassBlade blades[]; };
 uniform uint listStart;
 
-out vec3 bladeColour;
+out vec3 bladeColour;  // of the picture
 #if SEGMENTS > 1
 out vec2 bladePlace;  // -1..1 across, 0..1 along
 #endif
@@ -42,6 +43,25 @@ Spine spineAt(GrassBlade blade, float s, vec2 facing, float height) {
   return spine;
 }
 
+#if SEGMENTS > 1
+vec3 litColour(GrassBlade blade, Spine spine, vec3 centre, float s, vec3 n, vec3 towardsEdge, vec3 v, float share) {
+  vec2 shade = unpackHalf2x16(blade.shade);
+  vec4 tint = unpackUnorm4x8(blade.tint);
+  float height = unpackHalf2x16(blade.sizes).x;
+  // How deep in the canopy: it bends down as a whole, so the place along the blade counts, not the height.
+  float canopy = clamp(s * height / (grass.baseColour.w * share), 0.0, 1.0);
+  // Where the meadow thins out at its margin blades stand in the open.
+  canopy = mix(1.0, canopy, smoothstep(0.25, 0.7, share));
+  GrassLight at;
+  at.height = canopy;
+  at.dense = grass.levels.z;
+  at.sunlit = smoothstep(-0.15, 0.15, centre.y - shade.x);
+  at.shade = heightWindShade(centre.y / height, shade.y) * mix(tint.a, 1.0, 0.5 * canopy);
+  vec3 albedo = laidAlbedo(bladeAlbedo(s, tint.r, 2.0 * tint.g, 2.0 * tint.b - 1.0), spine.tangent);
+  return lightBlade(albedo, normalize(n + 0.55 * towardsEdge), spine.tangent, v, at);
+}
+#endif
+
 void main() {
   GrassBlade blade = blades[listStart + uint(gl_InstanceID)];
   int row = gl_VertexID / 2;
@@ -67,26 +87,15 @@ void main() {
   vec3 world = centre + side * (edge * 0.5 * sizes.y * taper);
   gl_Position = frame.viewProjection * vec4(world, 1.0);
 
-  vec2 shade = unpackHalf2x16(blade.shade);
-  vec4 tint = unpackUnorm4x8(blade.tint);
-  // How deep in the canopy: it bends down as a whole, so the place along the blade counts, not the height.
-  float share = unpackUnorm4x8(blade.canopy).x * 2.0;
-  float canopy = clamp(s * sizes.x / (grass.baseColour.w * share), 0.0, 1.0);
-  // Where the meadow thins out at its margin blades stand in the open.
-  canopy = mix(1.0, canopy, smoothstep(0.25, 0.7, share));
-  GrassLight at;
-  at.height = canopy;
-  at.dense = grass.levels.z;
-  at.sunlit = smoothstep(-0.15, 0.15, centre.y - shade.x);
-  at.shade = heightWindShade(centre.y / sizes.x, shade.y) * mix(tint.a, 1.0, 0.5 * canopy);
-  vec3 albedo = laidAlbedo(bladeAlbedo(s, tint.r, 2.0 * tint.g, 2.0 * tint.b - 1.0), spine.tangent);
+  vec4 canopyShare = unpackUnorm4x8(blade.canopy);
+  // From afar: the meadow's colour, darker at the foot and lighter at the tip.
+  vec3 afar = canopyShare.yzw * mix(0.80, 1.14, s);
 #if SEGMENTS == 1
-  // A straight blade of two rows would be black at its foot all the way up to the middle.
-  at.height = 0.3 + 0.7 * canopy;
-  vec3 light = lightCanopy(albedo, spine.tangent, v, at);
+  bladeColour = afar;
 #else
-  vec3 light = lightBlade(albedo, normalize(n + 0.55 * edge * side), spine.tangent, v, at);
+  vec3 lit = litColour(blade, spine, centre, s, n, side * edge, v, canopyShare.x * 2.0);
+  float tall = sizes.x * pixelsPerMetre(centre);
+  bladeColour = mix(toPicture(throughAir(lit, world)), afar, smoothstep(2.2 * grass.levels.y, grass.levels.y, tall));
   bladePlace = vec2(edge, s);
 #endif
-  bladeColour = throughAir(light, world);
 }

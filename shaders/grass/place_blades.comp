@@ -8,6 +8,8 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
+#include "shaders/include/atmosphere.glsl"
+#include "shaders/include/tone_map.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = RENDER_SSBO_CHUNKS) readonly buffer Chunks { GrassChunk chunks[]; };
@@ -62,6 +64,18 @@ float inMargin(vec2 root) {
   return beyond <= 0.0 ? 0.0 : max(beyond / grass.tileOrigin.z + 0.7 * (noiseAtLevel(root, 19.0, 1.0).r - 0.5), 0.0);
 }
 
+// The colour of a blade that is too small on screen to be lit for itself: the meadow's, so that blades and ground
+// agree, tinted by how the blade differs from its neighbours.
+vec3 colourFromAfar(vec2 root, vec2 felt, SolidsNear solids, vec3 ownTint) {
+  vec3 place = vec3(root.x, 0.0, root.y);
+  vec2 patchTint = meadowPatch(root);
+  vec3 mean = bladeAlbedo(0.7, patchTint.x * grass.dryColour.w, patchTint.y, 0.0);
+  vec3 own = bladeAlbedo(0.7, ownTint.x, ownTint.y, ownTint.z);
+  float sunlit = smoothstep(-0.15, 0.15, 0.3 * grass.baseColour.w - solids.shadowHeight);
+  vec3 light = meadowColour(root, felt, directionToCamera(place), sunlit) * mix(openness(solids.distanceM), 1.0, 0.5);
+  return toPicture(throughAir(light * clamp(own / mean, 0.5, 1.8), place));
+}
+
 bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint level) {
   uint seed = tileHash(tile);
   vec2 root = rootInTile(tile, index, seed);
@@ -74,7 +88,8 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   if (!insideFrustum(vec3(root.x, 0.5 * grass.size.y, root.y), vec3(grass.size.y, 0.5 * grass.size.y, grass.size.y))) return false;
   float margin = inMargin(root);
   if (unit(state) < margin * margin) return false;
-  float solid = solidDistance(root);
+  SolidsNear solids = solidsNear(root);
+  float solid = solids.distanceM;
   if (solid < 0.02) return false;
 
   uint clump = clumpOf(root);
@@ -113,9 +128,9 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   blade.sizes = packHalf2x16(vec2(height, width));
   blade.facing = packHalf2x16(facing);
   blade.bend = packHalf2x16(bend);
-  blade.shade = packHalf2x16(vec2(solidShadowHeight(root), shadeForce(length(felt))));
+  blade.shade = packHalf2x16(vec2(solids.shadowHeight, shadeForce(length(felt))));
   blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright, 0.5 + 0.5 * hue, openness(solid)));
-  blade.canopy = packUnorm4x8(vec4(0.5 * canopy, 0.0, 0.0, 0.0));
+  blade.canopy = packUnorm4x8(vec4(0.5 * canopy, colourFromAfar(root, felt, solids, vec3(dry, bright, hue))));
   float tall = height * pixels;
   level = tall > grass.levels.x ? 0u : tall > grass.levels.y ? 1u : 2u;
   return true;

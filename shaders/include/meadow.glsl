@@ -25,10 +25,10 @@ vec3 bladeAlbedo(float height, float dry, float bright, float hue) {
 // Sunlight that reaches a height (0 root .. 1 top of the canopy) through the blades above it.
 float sunInCanopy(float height, float open) {
   float depth = max(1.0 - height, 0.0) * open;
-  return exp(-1.15 * depth / max(frame.sunDirection.y, 0.2));
+  return exp(-0.85 * depth / max(frame.sunDirection.y, 0.2));
 }
 
-float skyInCanopy(float height) { return mix(0.16, 1.0, height * (2.0 - height)); }
+float skyInCanopy(float height) { return mix(0.22, 1.0, height * (2.0 - height)); }
 
 struct GrassLight {
   float height;    // 0 root .. 1 top of the canopy
@@ -63,7 +63,7 @@ vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, GrassLight at) {
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
   float sheen = pow(max(dot(n, normalize(v + l)), 0.0), 14.0) * (0.04 + 0.5 * pow(1.0 - max(dot(n, v), 0.0), 4.0));
   vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
-  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - t.y), sun);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - t.y * t.y), sun);
 }
 
 // Mean light of the canopy from far: blades of every direction around the stem direction `t`.
@@ -105,7 +105,24 @@ vec3 meanStem(vec2 wind) {
   vec2 bend = arcSteadyBend(vec2(0.0), wind, grass.motion.x);
   float angle = length(bend);
   if (angle < 1e-4) return vec3(0.0, 1.0, 0.0);
-  return vec3(bend.x / angle * sin(angle), cos(angle), bend.y / angle * sin(angle));
+  // The foot of a blade leans less than its tip.
+  float mean = 0.8 * angle;
+  return vec3(bend.x / angle * sin(mean), cos(mean), bend.y / angle * sin(mean));
+}
+
+// Earth and old grass between the stems. `litter` 0..1 bare to covered.
+vec3 undergrowth(float litter, float bright, float sunlit, float open) {
+  vec3 low = mix(frame.groundColour.rgb, bladeAlbedo(0.4, 0.35, 1.0, 0.3), 0.35 + 0.45 * litter) * bright;
+  float sun = sunInCanopy(0.3, grass.levels.z) * sunlit;
+  vec3 light = frame.sunColour.rgb * max(frame.sunDirection.y, 0.0) * sun + frame.skyColour.rgb * mix(0.9, 0.4, grass.levels.z) * open;
+  return low * light;
+}
+
+// Part of the ground that is seen between the blades from direction `v`.
+float groundSeen(vec3 v, vec3 stem) {
+  float up = max(v.y, 0.02);
+  float slant = sqrt(max(1.0 - up * up, 0.0)) / up;
+  return exp(-grass.levels.w * (0.45 * stem.y * slant + 0.2 + 0.6 * (1.0 - stem.y)));
 }
 
 // The meadow as seen from where single blades can't be told apart.
@@ -113,8 +130,8 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, float sunlit) {
   vec2 patchTint = meadowPatch(world);
   vec3 stem = meanStem(wind);
   // A low eye sees the tips, a high one looks down into the canopy.
-  float height = mix(0.78, 0.55, max(v.y, 0.0));
+  float height = mix(0.86, 0.36, sqrt(max(v.y, 0.0)));
   GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
   vec3 albedo = laidAlbedo(bladeAlbedo(height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
-  return lightCanopy(albedo, stem, v, at);
+  return mix(lightCanopy(albedo, stem, v, at), undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
 }

@@ -1,4 +1,6 @@
 // Where the passes of the scene put their light.
+#include "shaders/include/tone_map.glsl"
+
 layout(location = 0) out vec4 sceneColour;
 
-void writeScene(vec3 light) { sceneColour = vec4(light, 1.0); }
+void writeScene(vec3 light) { sceneColour = vec4(toPicture(light), 1.0); }

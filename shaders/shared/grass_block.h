@@ -25,7 +25,8 @@ struct GrassBlock {
   vec4 tiles;       // x tiles along x, y along z, z side of a tile m, w blades in a tile
   vec4 tileOrigin;  // x, z low corner of tile (0, 0), m; z, w width of the thinning margin around the field, m
   vec4 cover;       // x least blade width in pixels; y most widening; z detail; w blade height in pixels where it fades out
-  vec4 levels;      // x, y blade heights in pixels from which levels 0 and 1 are drawn; z how closed the canopy is, 0..1
+  vec4 levels;      // x, y blade heights in pixels from which levels 0 and 1 are drawn; z how closed the canopy is, 0..1;
+                    // w area of the blades over that of the ground
   vec4 capacity;    // blades that fit each level's list
 };
 
@@ -46,7 +47,7 @@ struct GrassBlade {
   uint bend;        // half2: arc: direction times angle in rad; quadratic: F V
   uint shade;       // half2: height of the shadow of solids over the root, m; |F| of eq. 14
   uint tint;        // unorm4: dryness, half the brightness, hue from -1..1, openness beside solids
-  uint canopy;      // unorm4: half the height of the canopy around it over the mean one, the rest unused
+  uint canopy;      // unorm4: half the height of the canopy around it over the mean one; its colour in the picture from afar
 };
 
 /// glDrawArraysIndirect and glDispatchComputeIndirect arguments, written by the culling passes.

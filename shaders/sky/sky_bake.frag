@@ -1,9 +1,11 @@
 #version 450 core
 // The sky above the horizon into a map: across the azimuth, up the square root of the elevation. Clouds
-// and far ridges, which would be too dear for every frame.
+// and far ridges, which would be too dear for every frame. In picture colours, dithered against bands.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
 #include "shaders/include/atmosphere.glsl"
+#include "shaders/include/tone_map.glsl"
+#include "shaders/shared/hash.h"
 
 in vec2 screenUv;
 layout(location = 0) out vec4 colour;
@@ -58,5 +60,7 @@ void main() {
   float elevation = screenUv.y * screenUv.y * 1.5707963;
   vec3 ray = vec3(cos(azimuth) * cos(elevation), sin(elevation), sin(azimuth) * cos(elevation));
   vec3 sky = withClouds(clearSky(ray), ray);
-  colour = vec4(withRidges(sky, ray, azimuth), 1.0);
+  uvec2 at = uvec2(gl_FragCoord.xy);
+  float dither = hashToUnit(hashCombine(at.x, at.y)) - 0.5;
+  colour = vec4(toPicture(withRidges(sky, ray, azimuth)) + dither / 255.0, 1.0);
 }

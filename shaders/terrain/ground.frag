@@ -12,41 +12,32 @@
 
 in vec3 groundWorld;
 
-vec3 undergrowth(vec2 world, float sunlit, float open) {
-  vec4 fine = noiseAt(world, 1.7);
-  vec4 mid = noiseAt(world.yx, 6.1);
-  float litter = smoothstep(0.35, 0.7, 0.6 * fine.a + 0.4 * mid.r);
-  vec3 low = mix(frame.groundColour.rgb, bladeAlbedo(0.35, 0.35, 1.0, 0.3), 0.35 + 0.45 * litter);
-  low *= 0.65 + 0.7 * fine.b;
-  float sun = sunInCanopy(0.12, grass.levels.z) * sunlit;
-  vec3 light = frame.sunColour.rgb * max(frame.sunDirection.y, 0.0) * sun + frame.skyColour.rgb * mix(0.9, 0.3, grass.levels.z) * open;
-  return low * light;
-}
-
-// What is left of single blades in the mean colour: tufts, finer the closer they are.
-float tufts(vec2 world, float pixels) {
-  float grain = noiseAt(world, 3.1).b + noiseAt(world, 11.0).a - 1.0;
-  float fine = noiseAt(world.yx, 0.9).b + noiseAt(world, 0.37).a - 1.0;
-  return 1.0 + 0.35 * grain + 0.5 * fine * smoothstep(15.0, 60.0, pixels);
+// What is left of single blades in the mean colour, finer the closer they are.
+float tufts(vec2 world, vec4 fine, vec4 mid, float pixels) {
+  float grain = 0.35 * (mid.a + fine.b - 1.0);
+#ifdef FULL_DETAIL
+  vec4 close = noiseAt(world.yx, 0.61);
+  grain += 0.45 * (close.a + close.b - 1.0) * smoothstep(15.0, 60.0, pixels);
+#endif
+  return 1.0 + grain;
 }
 
 void main() {
   vec2 world = groundWorld.xz;
   vec3 v = directionToCamera(groundWorld);
   float pixels = pixelsPerMetre(groundWorld);
-  float solid = solidDistance(world);
-  float sunlit = smoothstep(-0.1, 0.1, 0.02 - solidShadowHeight(world));
-  float open = openness(solid);
+  SolidsNear solids = solidsNear(world);
+  float sunlit = smoothstep(-0.1, 0.1, 0.02 - solids.shadowHeight);
+  float open = openness(solids.distanceM);
+  vec4 fine = noiseAt(world, 1.9);
+  vec4 mid = noiseAt(world.yx, 8.3);
 
   float tall = grass.baseColour.w * pixels;
   float blended = 1.0 - smoothstep(0.8, 6.0, tall / grass.cover.w);
   float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileOrigin.z));
-  vec3 colour = vec3(0.0);
-  if (mean < 1.0) colour = undergrowth(world, sunlit, open);
-  if (mean > 0.0) {
-    vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
-    vec3 meadow = meadowColour(world, wind, v, sunlit) * mix(open, 1.0, 0.5) * tufts(world, pixels);
-    colour = mix(colour, meadow, mean);
-  }
-  writeScene(throughAir(colour, groundWorld));
+  vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
+  vec3 meadow = meadowColour(world, wind, v, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);
+  float litter = smoothstep(0.35, 0.7, 0.6 * fine.a + 0.4 * mid.r);
+  vec3 ground = undergrowth(litter, 0.65 + 0.7 * fine.b, sunlit, open);
+  writeScene(throughAir(mix(ground, meadow, mean), groundWorld));
 }

@@ -29,7 +29,8 @@ void main() {
   albedo = mix(albedo * vec3(0.45, 0.48, 0.36), albedo, 0.35 + 0.65 * foot);
   // The sun is hidden where another solid's shadow reaches higher than this point; its own outline is not.
   vec2 lit = stoneWorld.xz + normalize(frame.sunDirection.xz) * 0.25 + n.xz * 0.3;
-  float shadow = solidDistance(lit) > 0.1 ? smoothstep(-0.2, 0.2, stoneWorld.y - solidShadowHeight(lit)) : 1.0;
+  SolidsNear near = solidsNear(lit);
+  float shadow = near.distanceM > 0.1 ? smoothstep(-0.2, 0.2, stoneWorld.y - near.shadowHeight) : 1.0;
   vec3 light = frame.sunColour.rgb * max(dot(n, frame.sunDirection.xyz), 0.0) * shadow;
   light += frame.skyColour.rgb * (0.55 + 0.45 * n.y) * mix(0.45, 1.0, foot);
   light += frame.sunColour.rgb * vec3(0.035, 0.045, 0.015) * (0.5 - 0.5 * n.y);
