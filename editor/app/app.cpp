@@ -169,11 +169,14 @@ double App::waitSeconds() const {
   return std::max(0.0, 1.0 / 60 - spent - 0.001);
 }
 
-PanelContext App::panelContext() { return {m_workspace, m_live->session(), m_live->facts()}; }
+PanelContext App::panelContext() {
+  return {m_workspace, m_live->session(), m_live->facts()};
+}
 
 void App::passKeys() {
   const ImGuiIO& io = ImGui::GetIO();
-  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup), busy = io.WantTextInput || m_dialogs.open() || popup;
+  const bool popup = ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopup),
+             busy = io.WantTextInput || m_dialogs.open() || popup;
   for (const InputEvent& event : m_window->events()) {
     if (event.kind == InputEvent::Kind::Focus && event.action == 0) {
       m_workspace.focusLost();
@@ -223,13 +226,16 @@ void App::tellMap() {
   const ImVec2 pointer = ImGui::GetIO().MousePos;
   map.fact("pointer", std::to_string(int(pointer.x)) + " " + std::to_string(int(pointer.y)));
   const EditorCamera& camera = m_workspace.camera;
-  map.fact("view", camera.orthographic && camera.pitch == 90 ? "top" : camera.orthographic ? "orthographic" : "perspective");
+  map.fact("view", camera.orthographic && camera.pitch == 90 ? "top"
+                   : camera.orthographic                     ? "orthographic"
+                                                             : "perspective");
   map.fact("scene", m_live->session() ? "yes" : "no");
 }
 
 void App::frame() {
   const Clock::time_point now = Clock::now();
-  const double seconds = m_line.screenshot.empty() ? std::chrono::duration<double>(now - m_lastFrame).count() : 1.0 / 30;
+  const double seconds =
+      m_line.screenshot.empty() ? std::chrono::duration<double>(now - m_lastFrame).count() : 1.0 / 30;
   m_lastFrame = now;
   m_idleSeconds = m_window->events().empty() ? m_idleSeconds + seconds : 0;
   // Slow frames must not break double clicks: press and release take a frame each.

@@ -40,7 +40,7 @@ class App {
   };
 
   App(const CommandLine& line, std::unique_ptr<Window> window);
-  void connect();         // workspace to window, dialogs, live view
+  void connect();          // workspace to window, dialogs, live view
   void registerActions();  // what is not the core's: play, overlays, view, help
   void registerViewActions();
   void readPreferences();
@@ -86,7 +86,7 @@ class App {
   bool m_helpOpen = false, m_aboutOpen = false, m_lookChanged = false, m_pictureTold = false;
 
   Clock::time_point m_lastFrame = Clock::now();
-  KeyPress m_afterFields;  // a shortcut that waits for a field to take its text
+  KeyPress m_afterFields;    // a shortcut that waits for a field to take its text
   double m_idleSeconds = 0;  // since something last happened
   int m_frames = 0;
   std::string m_title;

@@ -9,9 +9,16 @@ namespace windloom::editor {
 void App::registerActions() {
   ActionTable& actions = m_workspace.actions;
   const auto hasSession = [this] { return m_live->session() != nullptr; };
-  actions.add({.id = "file.export", .label = "Export...", .category = "File", .help = "Records the wind for a game.",
-               .shortcuts = {{Key::E, {.ctrl = true, .shift = true}}}, .run = [this] { m_export.show(); }});
-  actions.add({.id = "play.toggle", .label = "Play", .category = "Play", .help = "Lets the wind run, or holds it.",
+  actions.add({.id = "file.export",
+               .label = "Export...",
+               .category = "File",
+               .help = "Records the wind for a game.",
+               .shortcuts = {{Key::E, {.ctrl = true, .shift = true}}},
+               .run = [this] { m_export.show(); }});
+  actions.add({.id = "play.toggle",
+               .label = "Play",
+               .category = "Play",
+               .help = "Lets the wind run, or holds it.",
                .shortcuts = {{Key::Space, {}}},
                .run =
                    [this] {
@@ -23,49 +30,76 @@ void App::registerActions() {
                    },
                .enabled = hasSession,
                .checked = [this] { return m_live->session() && m_live->session()->playing(); }});
-  actions.add({.id = "play.step", .label = "Step", .category = "Play", .help = "One time step of the solver, then holds.",
+  actions.add({.id = "play.step",
+               .label = "Step",
+               .category = "Play",
+               .help = "One time step of the solver, then holds.",
                .shortcuts = {{Key::Period, {}}},
                .run =
                    [this] {
                      m_live->session()->pause();
                      m_live->session()->stepOnce();
                    },
-               .enabled = hasSession, .repeats = true});
-  actions.add({.id = "play.restart", .label = "Restart", .category = "Play", .help = "Back to time 0 with still air.",
-               .shortcuts = {{Key::Space, {.shift = true}}}, .run = [this] { m_live->session()->restart(); },
+               .enabled = hasSession,
+               .repeats = true});
+  actions.add({.id = "play.restart",
+               .label = "Restart",
+               .category = "Play",
+               .help = "Back to time 0 with still air.",
+               .shortcuts = {{Key::Space, {.shift = true}}},
+               .run = [this] { m_live->session()->restart(); },
                .enabled = hasSession});
-  actions.add({.id = "play.full_grid", .label = "Live wind on the project's grid", .category = "Play",
-               .help = "Off: a slow machine may run the live wind on a coarser grid. Sample and bake always use the project's.",
-               .run =
-                   [this] {
-                     m_live->setLiveGrid(m_live->liveGrid() == LiveGrid::Full ? LiveGrid::Automatic : LiveGrid::Full);
-                   },
-               .checked = [this] { return m_live->liveGrid() == LiveGrid::Full; }});
+  actions.add(
+      {.id = "play.full_grid",
+       .label = "Live wind on the project's grid",
+       .category = "Play",
+       .help = "Off: a slow machine may run the live wind on a coarser grid. Sample and bake always use the project's.",
+       .run =
+           [this] { m_live->setLiveGrid(m_live->liveGrid() == LiveGrid::Full ? LiveGrid::Automatic : LiveGrid::Full); },
+       .checked = [this] { return m_live->liveGrid() == LiveGrid::Full; }});
   registerViewActions();
-  actions.add({.id = "help.keys", .label = "Keys and mouse", .category = "Help", .help = "All shortcuts and gestures.",
-               .shortcuts = {{Key::F1, {}}}, .run = [this] { m_helpOpen = !m_helpOpen; },
+  actions.add({.id = "help.keys",
+               .label = "Keys and mouse",
+               .category = "Help",
+               .help = "All shortcuts and gestures.",
+               .shortcuts = {{Key::F1, {}}},
+               .run = [this] { m_helpOpen = !m_helpOpen; },
                .checked = [this] { return m_helpOpen; }});
-  actions.add({.id = "help.palette", .label = "Find a command", .category = "Help", .help = "Every command by name.",
-               .shortcuts = {{Key::F3, {}}, {Key::P, {.ctrl = true, .shift = true}}}, .run = [this] { m_palette.open(); }});
-  actions.add({.id = "help.about", .label = "About Windloom", .category = "Help", .help = "",
-               .run = [this] { m_aboutOpen = true; }});
+  actions.add({.id = "help.palette",
+               .label = "Find a command",
+               .category = "Help",
+               .help = "Every command by name.",
+               .shortcuts = {{Key::F3, {}}, {Key::P, {.ctrl = true, .shift = true}}},
+               .run = [this] { m_palette.open(); }});
+  actions.add({.id = "help.about", .label = "About Windloom", .category = "Help", .help = "", .run = [this] {
+                 m_aboutOpen = true;
+               }});
 }
 
 void App::registerViewActions() {
   ActionTable& actions = m_workspace.actions;
   const auto overlay = [&](const char* id, const char* label, const char* help, Key key, bool Overlays::*flag) {
-    actions.add({.id = id, .label = label, .category = "View", .help = help, .shortcuts = {{key, {}}},
+    actions.add({.id = id,
+                 .label = label,
+                 .category = "View",
+                 .help = help,
+                 .shortcuts = {{key, {}}},
                  .run = [this, flag] { m_viewport.overlays.*flag = !(m_viewport.overlays.*flag); },
                  .checked = [this, flag] { return m_viewport.overlays.*flag; }});
   };
   overlay("overlay.arrows", "Arrows", "Wind trees as arrows on the ground.", Key::Digit5, &Overlays::arrows);
   overlay("overlay.vectors", "Wind vectors", "The wind on a regular grid.", Key::Digit6, &Overlays::vectors);
   overlay("overlay.speed", "Speed map", "Wind speed as colours on the ground.", Key::Digit7, &Overlays::speed);
-  actions.add({.id = "view.full_quality", .label = "Full quality", .category = "View",
+  actions.add({.id = "view.full_quality",
+               .label = "Full quality",
+               .category = "View",
                .help = "Draws all the grass, however long a frame takes.",
                .run = [this] { m_live->setFullQuality(!m_live->fullQuality()); },
                .checked = [this] { return m_live->fullQuality(); }});
-  actions.add({.id = "view.light_theme", .label = "Light theme", .category = "View", .help = "Dark text on light panels.",
+  actions.add({.id = "view.light_theme",
+               .label = "Light theme",
+               .category = "View",
+               .help = "Dark text on light panels.",
                .run =
                    [this] {
                      Theme& theme = m_workspace.preferences.theme;
@@ -75,7 +109,9 @@ void App::registerViewActions() {
                .checked = [this] { return m_workspace.preferences.theme == Theme::Light; }});
   for (const int percent : {100, 125, 150, 200}) {
     const std::string number = std::to_string(percent);
-    actions.add({.id = "view.scale_" + number, .label = "Interface at " + number + "%", .category = "View",
+    actions.add({.id = "view.scale_" + number,
+                 .label = "Interface at " + number + "%",
+                 .category = "View",
                  .help = "Size of text and controls.",
                  .run =
                      [this, percent] {
@@ -85,8 +121,11 @@ void App::registerViewActions() {
                      },
                  .checked = [this, percent] { return int(m_look.scale * 100 + 0.5f) == percent; }});
   }
-  actions.add({.id = "view.reload_shaders", .label = "Reload shaders", .category = "View",
-               .help = "Builds changed shader files again; errors are in the log.", .run = [this] { m_live->reloadShaders(); }});
+  actions.add({.id = "view.reload_shaders",
+               .label = "Reload shaders",
+               .category = "View",
+               .help = "Builds changed shader files again; errors are in the log.",
+               .run = [this] { m_live->reloadShaders(); }});
 }
 
 }  // namespace windloom::editor

@@ -18,7 +18,9 @@ enum class Back { Panel, Header, None };
 /// A child window over a rectangle; endArea always follows.
 void beginArea(const char* name, ImVec2 min, ImVec2 max, Back back) {
   const Palette& palette = look().palette;
-  const ImVec4 colour = back == Back::Panel ? palette.panel : back == Back::Header ? palette.panelHeader : ImVec4(0, 0, 0, 0);
+  const ImVec4 colour = back == Back::Panel    ? palette.panel
+                        : back == Back::Header ? palette.panelHeader
+                                               : ImVec4(0, 0, 0, 0);
   ImGui::SetCursorScreenPos(min);
   ImGui::PushStyleColor(ImGuiCol_ChildBg, colour);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, back == Back::None ? ImVec2(0, 0) : ImVec2(scaled(8), scaled(6)));
@@ -29,7 +31,9 @@ void beginArea(const char* name, ImVec2 min, ImVec2 max, Back back) {
   ImGui::PopStyleColor();
 }
 
-void endArea() { ImGui::EndChild(); }
+void endArea() {
+  ImGui::EndChild();
+}
 
 /// A splitter whose size is kept at 100%.
 bool scaledSplitter(const char* name, bool vertical, float x, float y, float length, float sign, float min, float max,
@@ -50,7 +54,8 @@ void App::drawInterface() {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
   ImGui::Begin("windloom", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
-                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_MenuBar);
+                   ImGuiWindowFlags_NoBringToFrontOnFocus | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_MenuBar);
   ImGui::PopStyleVar(2);
   PanelContext context = panelContext();
   drawMenuBar(m_workspace);
@@ -79,9 +84,12 @@ void App::drawAreas(PanelContext& context) {
   const float bottom = std::clamp(scaled(m_layout.bottom), scaled(80), bottomMax);
   const float viewLeft = left + bar, viewRight = display.x - right - bar, viewBottom = areaBottom - bottom - bar;
 
-  bool resized = scaledSplitter("split/left", true, left, areaTop, areaBottom - areaTop, 1, scaled(120), sideMax, home.left, m_layout.left);
-  resized |= scaledSplitter("split/right", true, viewRight, areaTop, areaBottom - areaTop, -1, scaled(120), sideMax, home.right, m_layout.right);
-  resized |= scaledSplitter("split/bottom", false, viewLeft, viewBottom, viewRight - viewLeft, -1, scaled(80), bottomMax, home.bottom, m_layout.bottom);
+  bool resized = scaledSplitter("split/left", true, left, areaTop, areaBottom - areaTop, 1, scaled(120), sideMax,
+                                home.left, m_layout.left);
+  resized |= scaledSplitter("split/right", true, viewRight, areaTop, areaBottom - areaTop, -1, scaled(120), sideMax,
+                            home.right, m_layout.right);
+  resized |= scaledSplitter("split/bottom", false, viewLeft, viewBottom, viewRight - viewLeft, -1, scaled(80),
+                            bottomMax, home.bottom, m_layout.bottom);
   if (resized) writePreferences();
 
   beginArea("toolbar", {0, top}, {display.x, areaTop}, Back::Header);
@@ -105,8 +113,10 @@ void App::drawAreas(PanelContext& context) {
 
 void App::drawBottom(PanelContext& context, ImVec2 min, ImVec2 max) {
   const float bar = splitterThickness(), width = max.x - min.x;
-  const float mostly = std::max(scaled(100), width - scaled(160));
-  const float timeline = std::clamp(scaled(m_layout.timeline), scaled(100), mostly);
+  const float mostly = std::max(scaled(100), std::min(width - scaled(160), width * 0.7f));
+  // The tabs beside it want to be read in full.
+  const float timeline =
+      std::clamp(scaled(m_layout.timeline), scaled(100), std::max(scaled(100), std::min(mostly, width - scaled(230))));
   if (scaledSplitter("split/timeline", true, min.x + timeline, min.y, max.y - min.y, 1, scaled(100), mostly,
                      Layout{}.timeline, m_layout.timeline))
     writePreferences();

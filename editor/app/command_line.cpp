@@ -15,7 +15,8 @@ bool parseSize(const std::string& text, CommandLine& line) {
   const char* begin = text.data();
   const auto first = std::from_chars(begin, begin + cross, width);
   const auto second = std::from_chars(begin + cross + 1, begin + text.size(), height);
-  if (first.ec != std::errc{} || first.ptr != begin + cross || second.ec != std::errc{} || second.ptr != begin + text.size())
+  if (first.ec != std::errc{} || first.ptr != begin + cross || second.ec != std::errc{} ||
+      second.ptr != begin + text.size())
     return false;
   if (width < 320 || height < 240 || width > 16384 || height > 16384) return false;
   line.width = width;
@@ -35,8 +36,10 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
   });
   app.add_option("--scale", line.scale, "Size of text and controls, 1 = 100%")->check(CLI::Range(0.5f, 4.0f));
   app.add_option("--screenshot", screenshot, "Write the window as PNG after --frames frames, and end");
-  app.add_option("--frames", line.frames, "Frames before the screenshot; each is 1/30 s of wind")->check(CLI::Range(1, 100000));
-  app.add_option("--ui-map", uiMap, "Keep FILE up to date with the names and places of controls (window tests, accessibility)");
+  app.add_option("--frames", line.frames, "Frames before the screenshot; each is 1/30 s of wind")
+      ->check(CLI::Range(1, 100000));
+  app.add_option("--ui-map", uiMap,
+                 "Keep FILE up to date with the names and places of controls (window tests, accessibility)");
   app.set_version_flag("--version", "windloom-editor " WINDLOOM_VERSION);
   try {
     app.parse(argc, argv);

@@ -7,12 +7,12 @@
 namespace windloom::editor {
 
 struct CommandLine {
-  std::filesystem::path file;           ///< to open; empty: an empty project
-  std::optional<int> width, height;     ///< window pixels, from --size
-  float scale = 0;                      ///< of the interface, from --scale; 0: preferences
-  std::filesystem::path screenshot;     ///< write a picture of the window here after `frames` frames, then end
+  std::filesystem::path file;        ///< to open; empty: an empty project
+  std::optional<int> width, height;  ///< window pixels, from --size
+  float scale = 0;                   ///< of the interface, from --scale; 0: preferences
+  std::filesystem::path screenshot;  ///< write a picture of the window here after `frames` frames, then end
   int frames = 60;
-  std::filesystem::path uiMap;          ///< keep this file up to date with where things are on the screen
+  std::filesystem::path uiMap;  ///< keep this file up to date with where things are on the screen
 };
 
 /// Nothing where the program is to end at once with `exitStatus`: help, version, wrong usage (2).

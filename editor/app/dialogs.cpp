@@ -9,7 +9,9 @@ namespace windloom::editor {
 
 namespace {
 
-bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false); }
+bool pressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key), false);
+}
 
 /// Begins a message box in the middle of the window. Its content follows where it gave true.
 bool beginBox(const char* title, const char* fact) {
@@ -77,10 +79,17 @@ void Dialogs::drawSaveChanges() {
   const std::string path = m_workspace.document.path().filename().string();
   wrapped("Save the changes to " + (path.empty() ? m_workspace.document.committed().name : path) + "?");
   switch (buttonRow({"Save", "Don't save", "Cancel"})) {
-    case 0: m_workspace.flow.answerSaveChanges(SaveAnswer::Save); break;
-    case 1: m_workspace.flow.answerSaveChanges(SaveAnswer::DontSave); break;
-    case 2: m_workspace.flow.answerSaveChanges(SaveAnswer::Cancel); break;
-    default: break;
+    case 0:
+      m_workspace.flow.answerSaveChanges(SaveAnswer::Save);
+      break;
+    case 1:
+      m_workspace.flow.answerSaveChanges(SaveAnswer::DontSave);
+      break;
+    case 2:
+      m_workspace.flow.answerSaveChanges(SaveAnswer::Cancel);
+      break;
+    default:
+      break;
   }
   ImGui::EndPopup();
 }
@@ -119,7 +128,8 @@ void Dialogs::drawRescue() {
         m_showChanges = true;
       }
       break;
-    default: break;
+    default:
+      break;
   }
   if (handled) {
     m_rescues.erase(m_rescues.begin());
@@ -162,11 +172,14 @@ void Dialogs::draw() {
   if (!m_errors.empty()) return drawError();
   if (!m_rescues.empty()) return drawRescue();
   switch (m_workspace.flow.prompt()) {
-    case Prompt::SaveChanges: return drawSaveChanges();
-    case Prompt::ConfirmOverwrite: return drawOverwrite();
+    case Prompt::SaveChanges:
+      return drawSaveChanges();
+    case Prompt::ConfirmOverwrite:
+      return drawOverwrite();
     case Prompt::ChooseOpenPath:
     case Prompt::ChooseSavePath:
-    case Prompt::None: break;
+    case Prompt::None:
+      break;
   }
   followFileChoice();
 }

@@ -23,8 +23,10 @@ bool editsText(int key) {
     case GLFW_KEY_UP:
     case GLFW_KEY_DOWN:
     case GLFW_KEY_HOME:
-    case GLFW_KEY_END: return true;
-    default: return false;
+    case GLFW_KEY_END:
+      return true;
+    default:
+      return false;
   }
 }
 
@@ -37,34 +39,46 @@ struct FrameContents {
   [[nodiscard]] bool takes(const InputEvent& event) const {
     if (focus) return false;
     switch (event.kind) {
-      case InputEvent::Kind::MouseMove: return !button && !wheel && !text && keys.empty();
-      case InputEvent::Kind::MouseButton: return !wheel && !text && keys.empty() && (buttons >> event.code & 1u) == 0;
-      case InputEvent::Kind::Wheel: return !button;
-      case InputEvent::Kind::Text: return !button && !editKey;
+      case InputEvent::Kind::MouseMove:
+        return !button && !wheel && !text && keys.empty();
+      case InputEvent::Kind::MouseButton:
+        return !wheel && !text && keys.empty() && (buttons >> event.code & 1u) == 0;
+      case InputEvent::Kind::Wheel:
+        return !button;
+      case InputEvent::Kind::Text:
+        return !button && !editKey;
       case InputEvent::Kind::Key:
         if (button || std::find(keys.begin(), keys.end(), event.code) != keys.end()) return false;
         return !(editsText(event.code) && text) && !shortcut;
-      case InputEvent::Kind::Focus: return true;
+      case InputEvent::Kind::Focus:
+        return true;
     }
     return true;
   }
 
   void add(const InputEvent& event) {
     switch (event.kind) {
-      case InputEvent::Kind::MouseMove: break;
+      case InputEvent::Kind::MouseMove:
+        break;
       case InputEvent::Kind::MouseButton:
         button = true;
         buttons |= 1u << event.code;
         break;
-      case InputEvent::Kind::Wheel: wheel = true; break;
-      case InputEvent::Kind::Text: text = true; break;
+      case InputEvent::Kind::Wheel:
+        wheel = true;
+        break;
+      case InputEvent::Kind::Text:
+        text = true;
+        break;
       case InputEvent::Kind::Key:
         keys.push_back(event.code);
         editKey = editKey || editsText(event.code);
         // Modifiers are read as a state: a shortcut must not meet the release of its Ctrl in the same frame.
         shortcut = shortcut || (event.action != GLFW_RELEASE && event.modifiers != 0);
         break;
-      case InputEvent::Kind::Focus: focus = true; break;
+      case InputEvent::Kind::Focus:
+        focus = true;
+        break;
     }
   }
 };

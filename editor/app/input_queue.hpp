@@ -11,11 +11,11 @@ namespace windloom::editor {
 struct InputEvent {
   enum class Kind { MouseMove, MouseButton, Wheel, Key, Text, Focus };
   Kind kind = Kind::MouseMove;
-  double x = 0, y = 0;     ///< window pixels; Wheel: notches
-  int code = 0;            ///< button, GLFW key or code point
-  int scancode = 0;        ///< Key
-  int action = 0;          ///< GLFW_PRESS, GLFW_RELEASE, GLFW_REPEAT; Focus: 1 gained, 0 lost
-  int modifiers = 0;       ///< GLFW_MOD_* at the event
+  double x = 0, y = 0;  ///< window pixels; Wheel: notches
+  int code = 0;         ///< button, GLFW key or code point
+  int scancode = 0;     ///< Key
+  int action = 0;       ///< GLFW_PRESS, GLFW_RELEASE, GLFW_REPEAT; Focus: 1 gained, 0 lost
+  int modifiers = 0;    ///< GLFW_MOD_* at the event
 };
 
 class InputQueue {

@@ -47,7 +47,8 @@ void samplesMenu(Workspace& workspace) {
       const std::string name = entry.path().filename().string();
       const auto file = entry.path() / (name + ".wind.json");
       std::error_code ignored;
-      if (std::filesystem::is_regular_file(file, ignored) && ImGui::MenuItem(name.c_str())) workspace.flow.requestOpen(file);
+      if (std::filesystem::is_regular_file(file, ignored) && ImGui::MenuItem(name.c_str()))
+        workspace.flow.requestOpen(file);
     }
   else
     ImGui::TextDisabled("The samples folder was not found.");
@@ -82,7 +83,8 @@ void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
   ImGui::EndDisabled();
   if (on) ImGui::PopStyleColor(2);
   markItem(std::string("toolbar/") + button.action);
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", actions.tooltip(button.action).c_str());
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled))
+    ImGui::SetTooltip("%s", actions.tooltip(button.action).c_str());
   ImGui::SameLine(0, scaled(3));
   if (pressed) actions.run(button.action);
 }

@@ -87,7 +87,9 @@ Error describeOldOpenGl(const std::string& reason) {
   return makeError(ErrorKind::Machine, std::move(message));
 }
 
-Window& ownerOf(GLFWwindow* window) { return *static_cast<Window*>(glfwGetWindowUserPointer(window)); }
+Window& ownerOf(GLFWwindow* window) {
+  return *static_cast<Window*>(glfwGetWindowUserPointer(window));
+}
 
 }  // namespace
 
@@ -145,12 +147,18 @@ void InputFeeder::before(GLFWwindow* window, const std::vector<InputEvent>& even
       case InputEvent::Kind::MouseButton:
         if (event.code < int(m_down.size())) m_down[std::size_t(event.code)] = event.action != GLFW_RELEASE;
         break;
-      case InputEvent::Kind::Wheel: ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y); break;
+      case InputEvent::Kind::Wheel:
+        ImGui_ImplGlfw_ScrollCallback(window, event.x, event.y);
+        break;
       case InputEvent::Kind::Key:
         ImGui_ImplGlfw_KeyCallback(window, event.code, event.scancode, event.action, event.modifiers);
         break;
-      case InputEvent::Kind::Text: ImGui_ImplGlfw_CharCallback(window, unsigned(event.code)); break;
-      case InputEvent::Kind::Focus: ImGui_ImplGlfw_WindowFocusCallback(window, event.action); break;
+      case InputEvent::Kind::Text:
+        ImGui_ImplGlfw_CharCallback(window, unsigned(event.code));
+        break;
+      case InputEvent::Kind::Focus:
+        ImGui_ImplGlfw_WindowFocusCallback(window, event.action);
+        break;
     }
 }
 
@@ -167,8 +175,7 @@ void Window::installCallbacks() {
     ownerOf(window).m_queue.push({.kind = Kind::MouseMove, .x = x, .y = y});
   });
   glfwSetMouseButtonCallback(m_window, [](GLFWwindow* window, int button, int action, int modifiers) {
-    ownerOf(window).m_queue.push(
-        {.kind = Kind::MouseButton, .code = button, .action = action, .modifiers = modifiers});
+    ownerOf(window).m_queue.push({.kind = Kind::MouseButton, .code = button, .action = action, .modifiers = modifiers});
   });
   glfwSetScrollCallback(m_window, [](GLFWwindow* window, double x, double y) {
     ownerOf(window).m_queue.push({.kind = Kind::Wheel, .x = x, .y = y});
@@ -202,7 +209,9 @@ void Window::beginFrame(double waitSeconds, bool holdKeys) {
   ImGui::NewFrame();
 }
 
-void Window::endFrame() { ImGui::Render(); }
+void Window::endFrame() {
+  ImGui::Render();
+}
 
 void Window::clear(glm::vec3 colour) {
   const GLfloat value[] = {colour.x, colour.y, colour.z, 1.0f};
@@ -212,22 +221,34 @@ void Window::clear(glm::vec3 colour) {
   glClearBufferfv(GL_COLOR, 0, value);
 }
 
-void Window::paint() { ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData()); }
+void Window::paint() {
+  ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+}
 
-void Window::swap() { glfwSwapBuffers(m_window); }
+void Window::swap() {
+  glfwSwapBuffers(m_window);
+}
 
 void Window::remakeFonts() {
   ImGui_ImplOpenGL3_DestroyFontsTexture();
   ImGui_ImplOpenGL3_CreateFontsTexture();
 }
 
-void Window::setTitle(const std::string& title) { glfwSetWindowTitle(m_window, title.c_str()); }
+void Window::setTitle(const std::string& title) {
+  glfwSetWindowTitle(m_window, title.c_str());
+}
 
-void Window::requestClose() { glfwSetWindowShouldClose(m_window, GLFW_TRUE); }
+void Window::requestClose() {
+  glfwSetWindowShouldClose(m_window, GLFW_TRUE);
+}
 
-bool Window::closeRequested() const { return glfwWindowShouldClose(m_window) != 0; }
+bool Window::closeRequested() const {
+  return glfwWindowShouldClose(m_window) != 0;
+}
 
-void Window::keepOpen() { glfwSetWindowShouldClose(m_window, GLFW_FALSE); }
+void Window::keepOpen() {
+  glfwSetWindowShouldClose(m_window, GLFW_FALSE);
+}
 
 glm::ivec2 Window::framebufferSize() const {
   glm::ivec2 size{0};
@@ -241,9 +262,13 @@ glm::ivec2 Window::size() const {
   return size;
 }
 
-bool Window::minimised() const { return glfwGetWindowAttrib(m_window, GLFW_ICONIFIED) != 0; }
+bool Window::minimised() const {
+  return glfwGetWindowAttrib(m_window, GLFW_ICONIFIED) != 0;
+}
 
-bool Window::maximised() const { return glfwGetWindowAttrib(m_window, GLFW_MAXIMIZED) != 0; }
+bool Window::maximised() const {
+  return glfwGetWindowAttrib(m_window, GLFW_MAXIMIZED) != 0;
+}
 
 float Window::pixelRatio() const {
   const int width = size().x;
@@ -262,6 +287,8 @@ std::string Window::clipboard() const {
   return text ? text : "";
 }
 
-void Window::setClipboard(const std::string& text) { glfwSetClipboardString(m_window, text.c_str()); }
+void Window::setClipboard(const std::string& text) {
+  glfwSetClipboardString(m_window, text.c_str());
+}
 
 }  // namespace windloom::editor

@@ -11,7 +11,9 @@ namespace windloom::editor {
 
 namespace {
 
-bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+bool pressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
 
 }  // namespace
 
@@ -54,7 +56,8 @@ void CommandPalette::draw(ActionTable& actions) {
     ImGui::SameLine(0, scaled(10));
     ImGui::TextDisabled("%s", action ? action->category.c_str() : "");
     const std::string shortcut = actions.shortcutText(found[i]);
-    ImGui::SameLine(std::max(0.0f, ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(shortcut.c_str()).x - scaled(6)));
+    ImGui::SameLine(
+        std::max(0.0f, ImGui::GetWindowContentRegionMax().x - ImGui::CalcTextSize(shortcut.c_str()).x - scaled(6)));
     ImGui::TextDisabled("%s", shortcut.c_str());
     if (current && !ImGui::IsItemVisible()) ImGui::SetScrollHereY();
     ImGui::PopID();

@@ -47,7 +47,9 @@ void number(const char* name, double& value, double fallback, const NumberFormat
 }  // namespace
 
 ExportPanel::ExportPanel() {
-  m_formats.insert(std::string(writerKinds().front().name));
+  // What games read: a picture for shaders and the pack of our runtime.
+  for (const char* name : {"png", "windpack"})
+    if (writerKindNamed(name)) m_formats.insert(name);
 }
 
 ExportPanel::~ExportPanel() {
@@ -118,7 +120,8 @@ void ExportPanel::drawSettings(PanelContext& context) {
   number("export/fps", m_fps, 15, {"1/s", 0.1, 240, 1, false});
   label("Loop", "Blends the end into the beginning, so that it can play for ever.");
   ImGui::Checkbox("##loop", &m_loop);
-  label("Project's grid", "Off: the frames are resampled to the resolution below; the wind itself always runs on the project's grid.");
+  label("Project's grid",
+        "Off: the frames are resampled to the resolution below; the wind itself always runs on the project's grid.");
   ImGui::Checkbox("##full", &m_fullResolution);
   if (!m_fullResolution) {
     label("Resolution", "Cells of a written frame.");
@@ -184,8 +187,8 @@ void ExportPanel::run(const Project& project, const BakeRequest& wanted) {
   else if (finished->cancelled)
     outcome = {false, "Export cancelled; nothing was written."};
   else
-    outcome = {false, "Exported " + std::to_string(finished->files.size()) + " files, " + bytesText(double(finished->bytes)) +
-                          ", to " + wanted.folder.string()};
+    outcome = {false, "Exported " + std::to_string(finished->files.size()) + " files, " +
+                          bytesText(double(finished->bytes)) + ", to " + wanted.folder.string()};
   {
     const std::lock_guard lock(m_mutex);
     m_outcome = std::move(outcome);
@@ -206,7 +209,8 @@ void ExportPanel::poll(PanelContext& context) {
 }
 
 void ExportPanel::drawProgress() {
-  const double part = m_part, elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_startedAt).count();
+  const double part = m_part,
+               elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_startedAt).count();
   const bool recording = m_phase == BakePhase::Recording;
   std::string text = std::string(recording ? "recording " : "writing ") + fixed(part * 100, 0) + "%";
   // The estimate is for the recording: it takes nearly all of the time.

@@ -70,7 +70,8 @@ void drawHelpWindow(const ActionTable& actions, bool& open) {
   if (!open) return;
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   ImGui::SetNextWindowPos({size.x / 2, size.y / 2}, ImGuiCond_Appearing, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(scaled(620), size.x * 0.9f), std::min(scaled(640), size.y * 0.85f)}, ImGuiCond_Appearing);
+  ImGui::SetNextWindowSize({std::min(scaled(620), size.x * 0.9f), std::min(scaled(640), size.y * 0.85f)},
+                           ImGuiCond_Appearing);
   if (ImGui::Begin("Keys and mouse", &open, ImGuiWindowFlags_NoCollapse)) {
     if (beginSection("Mouse")) {
       for (const Gesture& gesture : kMouse) row(gesture.keys, gesture.what, "");

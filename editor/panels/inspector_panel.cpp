@@ -14,17 +14,28 @@ namespace {
 
 const char* kindName(InspectorKind kind) {
   switch (kind) {
-    case InspectorKind::Field: return "field";
-    case InspectorKind::Solver: return "solver";
-    case InspectorKind::Ambient: return "ambient";
-    case InspectorKind::Terrain: return "terrain";
-    case InspectorKind::Grass: return "grass";
-    case InspectorKind::Point: return "point";
-    case InspectorKind::Arrow: return "arrow";
-    case InspectorKind::Signal: return "signal";
-    case InspectorKind::Obstacle: return "obstacle";
-    case InspectorKind::Probe: return "probe";
-    case InspectorKind::Camera: return "camera";
+    case InspectorKind::Field:
+      return "field";
+    case InspectorKind::Solver:
+      return "solver";
+    case InspectorKind::Ambient:
+      return "ambient";
+    case InspectorKind::Terrain:
+      return "terrain";
+    case InspectorKind::Grass:
+      return "grass";
+    case InspectorKind::Point:
+      return "point";
+    case InspectorKind::Arrow:
+      return "arrow";
+    case InspectorKind::Signal:
+      return "signal";
+    case InspectorKind::Obstacle:
+      return "obstacle";
+    case InspectorKind::Probe:
+      return "probe";
+    case InspectorKind::Camera:
+      return "camera";
   }
   return "";
 }
@@ -33,12 +44,18 @@ void apply(PanelContext& context, const InspectorSection& section, const Inspect
   Workspace& workspace = context.workspace;
   const Project& project = workspace.document.committed();
   switch (change.kind) {
-    case RowChange::Kind::Value: workspace.apply(setParameter(project, section.target, row.info.key, change.value)); break;
+    case RowChange::Kind::Value:
+      workspace.apply(setParameter(project, section.target, row.info.key, change.value));
+      break;
     case RowChange::Kind::Component:
       workspace.apply(setComponent(project, section.target, row.info.key, change.component, change.number));
       break;
-    case RowChange::Kind::Reset: workspace.apply(resetParameter(project, section.target, row.info.key)); break;
-    case RowChange::Kind::Problem: workspace.say(MessageKind::Error, change.problem); break;
+    case RowChange::Kind::Reset:
+      workspace.apply(resetParameter(project, section.target, row.info.key));
+      break;
+    case RowChange::Kind::Problem:
+      workspace.say(MessageKind::Error, change.problem);
+      break;
   }
   if (change.finished) workspace.document.seal();
 }
@@ -67,7 +84,8 @@ void drawSelection(PanelContext& context) {
     ImGui::Spacing();
     ImGui::TextDisabled("Nothing is selected.");
     ImGui::PushTextWrapPos(0);
-    ImGui::TextDisabled("Click an arrow, a point or an obstacle; Shift adds, Ctrl toggles, dragging on empty ground selects a box.");
+    ImGui::TextDisabled(
+        "Click an arrow, a point or an obstacle; Shift adds, Ctrl toggles, dragging on empty ground selects a box.");
     ImGui::PopTextWrapPos();
     return;
   }

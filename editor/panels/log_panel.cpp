@@ -13,7 +13,9 @@ LogPanel::LogPanel() {
   setLogSink([this](LogLevel level, std::string_view text) { add(level, text); });
 }
 
-LogPanel::~LogPanel() { setLogSink({}); }
+LogPanel::~LogPanel() {
+  setLogSink({});
+}
 
 void LogPanel::add(LogLevel level, std::string_view text) {
   const std::lock_guard lock(m_mutex);
@@ -41,7 +43,8 @@ void LogPanel::draw() {
     const bool plain = line.level == LogLevel::Info;
     const ImVec4& colour = plain ? palette.text : line.level == LogLevel::Warning ? palette.warning : palette.error;
     ImGui::PushStyleColor(ImGuiCol_Text, colour);
-    ImGui::TextWrapped("%s%s", plain ? "" : icons::icon(icons::kWarning, "!"), plain ? line.text.c_str() : (" " + line.text).c_str());
+    ImGui::TextWrapped("%s%s", plain ? "" : icons::icon(icons::kWarning, "!"),
+                       plain ? line.text.c_str() : (" " + line.text).c_str());
     ImGui::PopStyleColor();
   }
   if (m_newLines) ImGui::SetScrollHereY(1.0f);

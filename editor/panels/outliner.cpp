@@ -43,8 +43,11 @@ void Outliner::addTrees(const Project& project) {
 
   for (const Id root : findRoots(graph)) {
     const std::size_t head = m_rows.size();
-    m_rows.push_back({.kind = Row::Kind::Tree, .id = root, .symbol = icons::icon(icons::kDraw, "T"),
-                      .label = named(points[root]->name, "Tree", root), .name = points[root]->name});
+    m_rows.push_back({.kind = Row::Kind::Tree,
+                      .id = root,
+                      .symbol = icons::icon(icons::kDraw, "T"),
+                      .label = named(points[root]->name, "Tree", root),
+                      .name = points[root]->name});
     Row tree = m_rows.back();
     tree.hidden = tree.muted = tree.locked = true;
     // Depth first, each arrow once: where flows merge it stands under the branch that comes first.
@@ -66,9 +69,15 @@ void Outliner::addTrees(const Project& project) {
         tree.locked = tree.locked && arrow.locked;
         open.emplace_back(arrow.to, below);
         if (m_closed.contains(root)) continue;
-        m_rows.push_back({.kind = Row::Kind::Item, .id = arrow.id, .depth = depth,
-                          .symbol = icons::icon(icons::kArrow, "->"), .label = named(arrow.name, "Arrow", arrow.id),
-                          .name = arrow.name, .hidden = arrow.hidden, .muted = arrow.muted, .locked = arrow.locked,
+        m_rows.push_back({.kind = Row::Kind::Item,
+                          .id = arrow.id,
+                          .depth = depth,
+                          .symbol = icons::icon(icons::kArrow, "->"),
+                          .label = named(arrow.name, "Arrow", arrow.id),
+                          .name = arrow.name,
+                          .hidden = arrow.hidden,
+                          .muted = arrow.muted,
+                          .locked = arrow.locked,
                           .members = {arrow.id}});
       }
     }
@@ -83,14 +92,28 @@ void Outliner::rebuild(const Project& project) {
   addTrees(project);
   if (!project.obstacles->empty()) heading("Obstacles");
   for (const Obstacle& o : *project.obstacles)
-    m_rows.push_back({.kind = Row::Kind::Item, .id = o.id, .depth = 0, .symbol = icons::icon(icons::kObstacle, "o"),
-                      .label = named(o.name, "Obstacle", o.id), .name = o.name, .hidden = o.hidden, .muted = o.muted,
-                      .locked = o.locked, .members = {o.id}});
+    m_rows.push_back({.kind = Row::Kind::Item,
+                      .id = o.id,
+                      .depth = 0,
+                      .symbol = icons::icon(icons::kObstacle, "o"),
+                      .label = named(o.name, "Obstacle", o.id),
+                      .name = o.name,
+                      .hidden = o.hidden,
+                      .muted = o.muted,
+                      .locked = o.locked,
+                      .members = {o.id}});
   if (!project.probes->empty()) heading("Probes");
   for (const Probe& p : *project.probes)
-    m_rows.push_back({.kind = Row::Kind::Item, .id = p.id, .depth = 0, .symbol = icons::icon(icons::kProbe, "+"),
-                      .label = named(p.name, "Probe", p.id), .name = p.name, .hidden = p.hidden, .locked = p.locked,
-                      .canMute = false, .members = {p.id}});
+    m_rows.push_back({.kind = Row::Kind::Item,
+                      .id = p.id,
+                      .depth = 0,
+                      .symbol = icons::icon(icons::kProbe, "+"),
+                      .label = named(p.name, "Probe", p.id),
+                      .name = p.name,
+                      .hidden = p.hidden,
+                      .locked = p.locked,
+                      .canMute = false,
+                      .members = {p.id}});
 }
 
 void Outliner::click(PanelContext& context, const Row& row) {
@@ -122,7 +145,8 @@ void Outliner::drawName(PanelContext& context, const Row& row, float width) {
   const bool selected = context.workspace.selection.contains(row.id);
   const bool dimmed = row.hidden || row.muted;
   ImGui::PushStyleColor(ImGuiCol_Text, dimmed ? look().palette.muted : look().palette.text);
-  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick, {width, 0})) click(context, row);
+  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick, {width, 0}))
+    click(context, row);
   ImGui::PopStyleColor();
   markItem("outliner/" + std::to_string(row.id));
 }
@@ -177,7 +201,8 @@ void Outliner::drawRow(PanelContext& context, const Row& row) {
   if (row.kind == Row::Kind::Tree) {
     const bool closed = m_closed.contains(row.id);
     ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, ImVec2(0, 0));
-    if (ImGui::ArrowButtonEx("##fold", closed ? ImGuiDir_Right : ImGuiDir_Down, {arrowWidth, ImGui::GetTextLineHeight()})) {
+    if (ImGui::ArrowButtonEx("##fold", closed ? ImGuiDir_Right : ImGuiDir_Down,
+                             {arrowWidth, ImGui::GetTextLineHeight()})) {
       if (closed)
         m_closed.erase(row.id);
       else

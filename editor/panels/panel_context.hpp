@@ -10,8 +10,8 @@ namespace windloom::editor {
 
 /// How the last frames went.
 struct FrameFacts {
-  std::string gpu;           ///< name of the renderer
-  double frameMs = 0;        ///< mean of recent frames, wall time
+  std::string gpu;     ///< name of the renderer
+  double frameMs = 0;  ///< mean of recent frames, wall time
   double framesPerSecond = 0;
   float quality = 1;         ///< of the grass, 0..1
   bool fullQuality = false;  ///< the user asked for all of it

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/widgets/look.hpp"
+#include "editor/widgets/number_field.hpp"
 #include "engine/core/text.hpp"
 
 namespace windloom::editor {
@@ -42,12 +43,23 @@ void ProbePanel::draw(PanelContext& context) {
     const double degrees = std::atan2(double(trace.now.y), double(trace.now.x)) * 180.0 / 3.14159265358979;
     ImGui::PushID(int(probe.id));
     const std::string name = probe.name.empty() ? "Probe " + std::to_string(probe.id) : probe.name;
-    if (ImGui::Selectable(name.c_str(), context.workspace.selection.contains(probe.id), 0, {scaled(96), 0}))
+    const std::string value = fixed(double(speed), 1) + " m/s",
+                      way = "to " + displayNumber(std::round(degrees), 1, false) + "°";
+    const float gap = scaled(10), room = ImGui::GetContentRegionAvail().x;
+    const float valueWidth = ImGui::CalcTextSize(value.c_str()).x, wayWidth = ImGui::CalcTextSize(way.c_str()).x;
+    // A narrow panel leaves out the direction before it cuts the speed.
+    const bool withWay = room > valueWidth + wayWidth + gap * 2 + scaled(60);
+    const float nameWidth =
+        std::max(scaled(24), std::min(scaled(120), room - valueWidth - gap - (withWay ? wayWidth + gap : 0)));
+    if (ImGui::Selectable(name.c_str(), context.workspace.selection.contains(probe.id), 0, {nameWidth, 0}))
       context.workspace.selection.replace(probe.id);
-    ImGui::SameLine();
-    ImGui::TextColored(look().palette.text, "%s m/s", fixed(double(speed), 1).c_str());
-    ImGui::SameLine();
-    ImGui::TextDisabled("to %s°", fixed(degrees, 0).c_str());
+    ImGui::SameLine(0, gap);
+    ImGui::TextUnformatted(value.c_str());
+    if (withWay) {
+      ImGui::SameLine(0, gap);
+      ImGui::TextDisabled("%s", way.c_str());
+      if (ImGui::IsItemHovered()) ImGui::SetTooltip("Where the air goes to, from +X towards +Z");
+    }
     const float top = std::max(4.0f, *std::max_element(trace.speedMps.begin(), trace.speedMps.end()) * 1.1f);
     ImGui::PlotLines("##trace", trace.speedMps.data(), int(kSamples), int(trace.next), nullptr, 0.0f, top,
                      {ImGui::GetContentRegionAvail().x, scaled(36)});

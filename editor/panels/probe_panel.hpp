@@ -20,7 +20,7 @@ class ProbePanel {
     std::vector<float> speedMps;  ///< a ring of kSamples
     std::size_t next = 0;
     glm::vec2 now{0.0f};
-    bool live = false;            ///< its probe still exists
+    bool live = false;  ///< its probe still exists
   };
   std::map<Id, Trace> m_traces;
   double m_sampledAt = -1;

@@ -28,7 +28,9 @@ std::string millions(long long blades) {
   return fixed(double(blades) / 1e6, 2) + " M";
 }
 
-std::string sizeText(glm::ivec2 size) { return std::to_string(size.x) + " x " + std::to_string(size.y); }
+std::string sizeText(glm::ivec2 size) {
+  return std::to_string(size.x) + " x " + std::to_string(size.y);
+}
 
 struct Item {
   std::string name, text, help;
@@ -43,26 +45,30 @@ std::vector<Item> machineItems(const PanelContext& context) {
     std::string grid = std::string(status.backend == Backend::Gpu ? "GPU " : "CPU ") + sizeText(status.liveResolution);
     if (coarse) grid += " live (project " + sizeText(status.projectResolution) + ")";
     items.push_back({"grid", grid,
-                     coarse ? "The live view runs on a coarser grid to hold real time; sample and bake use the project's."
-                            : "The wind runs on the project's grid."});
-    items.push_back({"solver", std::string("solver ") + fixed(status.stepMs, 1) + " ms",
-                     std::string("Time of a solver step. Divergence left: ") +
-                         fixed(status.wind.divergenceBefore > 0
-                                   ? status.wind.divergenceAfter / status.wind.divergenceBefore * 100
-                                   : 0.0,
-                               2) +
-                         "%, fastest air " + fixed(status.wind.maxSpeed, 1) + " m/s, " +
-                         fixed(status.wind.cfl, 1) + " cells a step"});
+                     coarse
+                         ? "The live view runs on a coarser grid to hold real time; sample and bake use the project's."
+                         : "The wind runs on the project's grid."});
+    items.push_back(
+        {"solver", std::string("solver ") + fixed(status.stepMs, 1) + " ms",
+         std::string("Time of a solver step. Divergence left: ") +
+             fixed(status.wind.divergenceBefore > 0 ? status.wind.divergenceAfter / status.wind.divergenceBefore * 100
+                                                    : 0.0,
+                   2) +
+             "%, fastest air " + fixed(status.wind.maxSpeed, 1) + " m/s, " + fixed(status.wind.cfl, 1) +
+             " cells a step"});
     std::string passes = std::string("Drawing the scene: ") + fixed(status.frame.gpuMs, 1) + " ms";
     for (const auto& [name, milliseconds] : status.frame.passMs)
       passes += std::string("\n") + name + " " + fixed(milliseconds, 1) + " ms";
-    items.push_back({"frame",
-                     std::string("frame ") + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
-                     passes});
-    items.push_back({"blades", millions(status.frame.bladesDrawn) + " / " + millions(status.frame.bladesTotal) + " blades",
+    items.push_back(
+        {"frame", std::string("frame ") + fixed(facts.frameMs, 1) + " ms, " + fixed(facts.framesPerSecond, 0) + " fps",
+         passes});
+    items.push_back({"blades",
+                     millions(status.frame.bladesDrawn) + " / " + millions(status.frame.bladesTotal) + " blades",
                      "Grass blades drawn of those that the project asks for"});
-    items.push_back({"quality", facts.fullQuality ? "full quality" : std::string("quality ") + fixed(double(facts.quality) * 100, 0) + "%",
-                     "How much of the grass is drawn to keep the frame time; View > Full quality draws all of it"});
+    items.push_back(
+        {"quality",
+         facts.fullQuality ? "full quality" : std::string("quality ") + fixed(double(facts.quality) * 100, 0) + "%",
+         "How much of the grass is drawn to keep the frame time; View > Full quality draws all of it"});
   }
   // "llvmpipe (LLVM 15.0.6, 256 bits)", "NVIDIA H200/PCIe/SSE2": what comes first says which it is.
   items.insert(items.begin(), {"gpu", facts.gpu.substr(0, facts.gpu.find_first_of("(/")), facts.gpu});
@@ -96,10 +102,13 @@ void StatusBar::draw(PanelContext& context) {
   const float left = full - widthOf() - gap;
 
   ImGui::PushClipRect(ImGui::GetCursorScreenPos(),
-                      {ImGui::GetCursorScreenPos().x + left, ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()}, true);
+                      {ImGui::GetCursorScreenPos().x + left, ImGui::GetCursorScreenPos().y + ImGui::GetFrameHeight()},
+                      true);
   if (fresh) {
     const MessageKind kind = workspace.message().kind;
-    const ImVec4& colour = kind == MessageKind::Error ? palette.error : kind == MessageKind::Warning ? palette.warning : palette.text;
+    const ImVec4& colour = kind == MessageKind::Error     ? palette.error
+                           : kind == MessageKind::Warning ? palette.warning
+                                                          : palette.text;
     ImGui::TextColored(colour, "%s", workspace.message().text.c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", workspace.message().text.c_str());
   } else {

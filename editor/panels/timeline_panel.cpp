@@ -37,13 +37,13 @@ void drawTransport(PanelContext& context) {
   look().map.fact("time", fixed(context.session->time(), 2));
   const double speed = context.session->status().timeScale;
   if (playing) {
-    ImGui::SameLine(0, scaled(16));
+    ImGui::SameLine(0, scaled(12));
     const bool slow = speed < 0.97;
-    ImGui::TextColored(slow ? look().palette.warning : look().palette.muted, "%s", slow ? "slower than real time:" : "real time");
-    if (slow) {
-      ImGui::SameLine();
-      ImGui::TextColored(look().palette.warning, "%sx", fixed(speed, 2).c_str());
-    }
+    std::string text = slow ? fixed(speed, 2) + "x real time" : std::string("real time");
+    if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) text = fixed(speed, 2) + "x";
+    ImGui::TextColored(slow ? look().palette.warning : look().palette.muted, "%s", text.c_str());
+    if (slow && ImGui::IsItemHovered())
+      ImGui::SetTooltip("This machine can't keep up, so time passes more slowly; no step is left out.");
   }
 }
 
@@ -82,8 +82,8 @@ void drawSignals(PanelContext& context) {
     constant.root = roots[i];
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const std::string label = point && !point->name.empty() ? point->name : "Tree " + std::to_string(roots[i]);
-    if (ImGui::Selectable((label + "##" + std::to_string(roots[i])).c_str(), context.workspace.selection.contains(roots[i]),
-                          0, {labelWidth - scaled(6), height}))
+    if (ImGui::Selectable((label + "##" + std::to_string(roots[i])).c_str(),
+                          context.workspace.selection.contains(roots[i]), 0, {labelWidth - scaled(6), height}))
       context.workspace.selection.replace(roots[i]);
     drawLane(own ? *own : constant, {left, at.y}, {right, at.y + height}, first);
   }

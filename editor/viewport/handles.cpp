@@ -186,7 +186,8 @@ void drawProbes(const GroundBrush& brush, const Project& project, const Marks& m
     ImDrawList& list = brush.list();
     list.AddCircle(*at, scaled(5.5f), colour, 0, scaled(2));
     for (const ImVec2 way : {ImVec2(1, 0), ImVec2(-1, 0), ImVec2(0, 1), ImVec2(0, -1)})
-      list.AddLine({at->x + way.x * gap, at->y + way.y * gap}, {at->x + way.x * arm, at->y + way.y * arm}, colour, scaled(2));
+      list.AddLine({at->x + way.x * gap, at->y + way.y * gap}, {at->x + way.x * arm, at->y + way.y * arm}, colour,
+                   scaled(2));
     name(brush, "probe:" + std::to_string(probe.id), *at);
   }
 }
@@ -194,12 +195,18 @@ void drawProbes(const GroundBrush& brush, const Project& project, const Marks& m
 ImU32 roleColour(ShapeRole role) {
   const Palette& palette = look().palette;
   switch (role) {
-    case ShapeRole::Preview: return packed({1, 1, 1, 0.95f});
-    case ShapeRole::Snap: return packed(palette.good);
-    case ShapeRole::Refused: return packed(palette.error);
-    case ShapeRole::Guide: return packed({1, 1, 1, 0.5f});
-    case ShapeRole::AxisX: return packed(palette.axisX);
-    case ShapeRole::AxisZ: return packed(palette.axisZ);
+    case ShapeRole::Preview:
+      return packed({1, 1, 1, 0.95f});
+    case ShapeRole::Snap:
+      return packed(palette.good);
+    case ShapeRole::Refused:
+      return packed(palette.error);
+    case ShapeRole::Guide:
+      return packed({1, 1, 1, 0.5f});
+    case ShapeRole::AxisX:
+      return packed(palette.axisX);
+    case ShapeRole::AxisZ:
+      return packed(palette.axisZ);
   }
   return IM_COL32_WHITE;
 }
@@ -238,8 +245,10 @@ void drawPreview(const ViewArea& area, const Workspace& workspace, const Preview
   for (const auto& label : shapes.labels) {
     const ImVec2 at = area.at(label.pixel), size = ImGui::CalcTextSize(label.text.c_str());
     // Kept inside: near the edge the text moves to where it can be read.
-    const ImVec2 corner{std::min(at.x, area.max.x - size.x - scaled(8)), std::min(at.y, area.max.y - size.y - scaled(6))};
-    list.AddRectFilled({corner.x - scaled(4), corner.y - scaled(2)}, {corner.x + size.x + scaled(4), corner.y + size.y + scaled(2)},
+    const ImVec2 corner{std::min(at.x, area.max.x - size.x - scaled(8)),
+                        std::min(at.y, area.max.y - size.y - scaled(6))};
+    list.AddRectFilled({corner.x - scaled(4), corner.y - scaled(2)},
+                       {corner.x + size.x + scaled(4), corner.y + size.y + scaled(2)},
                        packed(look().palette.overlayBack), scaled(3));
     list.AddText(corner, packed(look().palette.overlayText), label.text.c_str());
   }

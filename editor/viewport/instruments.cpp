@@ -58,7 +58,8 @@ bool axisSign(const ViewArea& area, Workspace& workspace) {
   list.AddCircleFilled(centre, length + knob * 1.3f, packed(palette.overlayBack, near ? 0.9f : 0.45f), 40);
   bool onKnob = false;
   for (const Axis& axis : axes) {
-    const ImVec2 end{centre.x + glm::dot(axis.direction, right) * length, centre.y - glm::dot(axis.direction, up) * length};
+    const ImVec2 end{centre.x + glm::dot(axis.direction, right) * length,
+                     centre.y - glm::dot(axis.direction, up) * length};
     const bool hovered = near && std::hypot(mouse.x - end.x, mouse.y - end.y) < knob * 1.2f;
     list.AddLine(centre, end, packed(axis.colour), scaled(2));
     list.AddCircleFilled(end, knob, packed(axis.colour, hovered ? 1.0f : 0.9f), 20);
@@ -113,7 +114,8 @@ bool speedLegend(const ViewArea& area, float& range) {
   const NumberEdit edit = numberField("legend/range", double(range), false, {"m/s", 0.5, 200, 1, false});
   if (edit.changed) range = std::clamp(float(edit.value), 0.5f, 200.0f);
   if (edit.reset) range = Overlays{}.speedRange;
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Wind speed at the top of the colours. Drag, or click and type; right click resets.");
+  if (ImGui::IsItemHovered())
+    ImGui::SetTooltip("Wind speed at the top of the colours. Drag, or click and type; right click resets.");
 
   const float left = min.x + scaled(10), top = min.y + ImGui::GetFrameHeight() + scaled(16);
   constexpr int kBands = 32;

@@ -37,8 +37,9 @@ ViewCamera viewCamera(const EditorCamera& camera) {
 
 bool ScenePicture::fresh(const SceneRequest& request, double time) const {
   return m_shown.size == request.size && m_shown.revision == request.revision && m_time == time &&
-         m_shown.hovered == request.hovered && m_shown.detail == request.detail && m_shown.selected == request.selected &&
-         sameCamera(m_shown.camera, request.camera) && sameOverlays(m_shown.overlays, request.overlays);
+         m_shown.hovered == request.hovered && m_shown.detail == request.detail &&
+         m_shown.selected == request.selected && sameCamera(m_shown.camera, request.camera) &&
+         sameOverlays(m_shown.overlays, request.overlays);
 }
 
 bool ScenePicture::update(Session& session, const SceneRequest& request) {

@@ -20,7 +20,7 @@ struct SceneRequest {
   Overlays overlays;
   std::vector<Id> selected;
   Id hovered = 0;
-  float detail = 1;            ///< of the grass, 0..1
+  float detail = 1;  ///< of the grass, 0..1
 };
 
 class ScenePicture {

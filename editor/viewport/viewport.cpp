@@ -24,10 +24,13 @@ Modifiers heldModifiers() {
 
 ImGuiMouseCursor cursorOf(PointerShape shape) {
   switch (shape) {
-    case PointerShape::Hand: return ImGuiMouseCursor_Hand;
-    case PointerShape::Move: return ImGuiMouseCursor_ResizeAll;
+    case PointerShape::Hand:
+      return ImGuiMouseCursor_Hand;
+    case PointerShape::Move:
+      return ImGuiMouseCursor_ResizeAll;
     case PointerShape::Arrow:
-    case PointerShape::Cross: break;
+    case PointerShape::Cross:
+      break;
   }
   return ImGuiMouseCursor_Arrow;
 }
@@ -88,8 +91,9 @@ void Viewport::draw(Workspace& workspace, bool hasScene) {
   workspace.viewportSize = {size.x, size.y};
   look().map.rectangle("viewport", m_area.min, m_area.max);
 
-  ImGui::InvisibleButton("viewport", size,
-                         ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
+  ImGui::InvisibleButton(
+      "viewport", size,
+      ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight | ImGuiButtonFlags_MouseButtonMiddle);
   ImGui::SetItemAllowOverlap();
   const bool was = m_hovered;
   m_hovered = ImGui::IsItemHovered() && !m_overInstrument;
@@ -110,7 +114,8 @@ void Viewport::draw(Workspace& workspace, bool hasScene) {
 bool Viewport::updatePicture(Session& session, const Workspace& workspace, float pixelRatio, float detail) {
   SceneRequest request;
   request.camera = workspace.camera;
-  request.size = glm::ivec2(glm::round(glm::vec2(m_area.max.x - m_area.min.x, m_area.max.y - m_area.min.y) * pixelRatio));
+  request.size =
+      glm::ivec2(glm::round(glm::vec2(m_area.max.x - m_area.min.x, m_area.max.y - m_area.min.y) * pixelRatio));
   request.revision = workspace.document.revision();
   request.overlays = overlays;
   const auto ids = workspace.selection.ids();
@@ -121,8 +126,8 @@ bool Viewport::updatePicture(Session& session, const Workspace& workspace, float
 }
 
 void Viewport::copyPicture(glm::ivec2 framebufferSize, float pixelRatio) const {
-  m_picture.copyToWindow({int(std::lround(m_area.min.x * pixelRatio)),
-                          framebufferSize.y - int(std::lround(m_area.max.y * pixelRatio))});
+  m_picture.copyToWindow(
+      {int(std::lround(m_area.min.x * pixelRatio)), framebufferSize.y - int(std::lround(m_area.max.y * pixelRatio))});
 }
 
 }  // namespace windloom::editor

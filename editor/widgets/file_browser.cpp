@@ -83,8 +83,9 @@ std::optional<fs::path> FileBrowser::drawList(float height) {
   std::string entered;
   ImGui::BeginChild("list", {0, height}, true);
   for (const Entry& entry : m_entries) {
-    const std::string label = std::string(entry.folder ? icons::icon(icons::kFolder, "[dir]") : icons::icon(icons::kFile, " ")) +
-                              "  " + entry.name;
+    const std::string label =
+        std::string(entry.folder ? icons::icon(icons::kFolder, "[dir]") : icons::icon(icons::kFile, " ")) + "  " +
+        entry.name;
     if (ImGui::Selectable(label.c_str(), !entry.folder && entry.name == m_name,
                           ImGuiSelectableFlags_AllowDoubleClick | ImGuiSelectableFlags_DontClosePopups)) {
       const bool twice = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);

@@ -76,7 +76,8 @@ void setColours(ImGuiStyle& style, const Palette& p, const ImVec4& field, const 
   set({ImGuiCol_ButtonActive, ImGuiCol_Header, ImGuiCol_HeaderHovered, ImGuiCol_HeaderActive, ImGuiCol_TextSelectedBg},
       p.accentDim);
   set({ImGuiCol_CheckMark, ImGuiCol_SliderGrab, ImGuiCol_SliderGrabActive, ImGuiCol_SeparatorHovered,
-       ImGuiCol_SeparatorActive, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive, ImGuiCol_PlotLines, ImGuiCol_PlotHistogram, ImGuiCol_NavHighlight},
+       ImGuiCol_SeparatorActive, ImGuiCol_ResizeGripHovered, ImGuiCol_ResizeGripActive, ImGuiCol_PlotLines,
+       ImGuiCol_PlotHistogram, ImGuiCol_NavHighlight},
       p.accent);
   set({ImGuiCol_Tab, ImGuiCol_TabUnfocused}, none);
   set({ImGuiCol_TabHovered, ImGuiCol_ResizeGrip}, hover);
@@ -96,8 +97,9 @@ std::string findFont(std::initializer_list<const char*> names) {
   roots.emplace_back("/usr/share/fonts");
   for (const char* name : names)
     for (const auto& root : roots)
-      for (const char* folder : {"", "opentype/inter", "truetype/inter", "inter", "truetype/fork-awesome", "fork-awesome",
-                                 "truetype/dejavu", "dejavu", "TTF", "truetype/liberation", "truetype/noto"}) {
+      for (const char* folder :
+           {"", "opentype/inter", "truetype/inter", "inter", "truetype/fork-awesome", "fork-awesome", "truetype/dejavu",
+            "dejavu", "TTF", "truetype/liberation", "truetype/noto"}) {
         std::error_code ignored;
         const auto path = root / folder / name;
         if (std::filesystem::is_regular_file(path, ignored)) return path.string();
@@ -109,8 +111,8 @@ std::string findFont(std::initializer_list<const char*> names) {
 ImFont* addFont(const std::string& file, const std::string& iconFile, float pixels, const ImWchar* iconRange) {
   ImFontAtlas& atlas = *ImGui::GetIO().Fonts;
   // Latin, general punctuation (dashes, dots), superscripts, and the few signs that units and labels use.
-  static constexpr ImWchar kText[] = {0x20, 0x17f, 0x2010, 0x2027, 0x2030, 0x203a, 0x2070, 0x209c, 0x2190, 0x2193,
-                                      0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0xd7, 0xd7, 0};
+  static constexpr ImWchar kText[] = {0x20,   0x17f,  0x2010, 0x2027, 0x2030, 0x203a, 0x2070, 0x209c, 0x2190, 0x2193,
+                                      0x2212, 0x2212, 0x2248, 0x2248, 0x2264, 0x2265, 0xd7,   0xd7,   0};
   ImFontConfig config;
   config.OversampleH = 2;
   config.OversampleV = 1;
@@ -168,8 +170,8 @@ void loadFonts(Look& look) {
                                        0xf0e2, 0xf0e4, 0xf111, 0xf111, 0xf126, 0xf12d, 0xf148, 0xf148, 0xf178, 0xf178,
                                        0xf192, 0xf192, 0xf1bb, 0xf1bb, 0xf245, 0xf245, 0};
   ImGui::GetIO().Fonts->Clear();
-  const std::string text = findFont({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf", "LiberationSans-Regular.ttf",
-                                     "NotoSans-Regular.ttf"});
+  const std::string text = findFont({"Inter-Regular.otf", "Inter-Regular.ttf", "DejaVuSans.ttf",
+                                     "LiberationSans-Regular.ttf", "NotoSans-Regular.ttf"});
   const std::string strong = findFont({"Inter-SemiBold.otf", "Inter-SemiBold.ttf", "DejaVuSans-Bold.ttf",
                                        "LiberationSans-Bold.ttf", "NotoSans-Bold.ttf"});
   const std::string iconFile = findFont({"forkawesome-webfont.ttf"});

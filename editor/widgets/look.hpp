@@ -49,10 +49,14 @@ struct Look {
 };
 
 /// The look of the current ImGui context.
-inline Look& look() { return *static_cast<Look*>(ImGui::GetIO().UserData); }
+inline Look& look() {
+  return *static_cast<Look*>(ImGui::GetIO().UserData);
+}
 
 /// `pixels` at 100% as pixels at the current scale.
-inline float scaled(float pixels) { return pixels * look().scale; }
+inline float scaled(float pixels) {
+  return pixels * look().scale;
+}
 
 inline ImU32 packed(const ImVec4& colour, float alpha = 1.0f) {
   return ImGui::ColorConvertFloat4ToU32({colour.x, colour.y, colour.z, colour.w * alpha});

@@ -16,7 +16,9 @@ namespace {
 // Dragging by so many pixels at 100% is one step: slow enough to meet a value, fast enough to cross a range.
 constexpr float kPixelsPerStep = 4.0f;
 
-bool pressed(ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); }
+bool pressed(ImGuiKey key) {
+  return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key));
+}
 
 void startTyping(ImGuiID field, std::string text) {
   Look::Typing& typing = look().typing;

@@ -20,7 +20,7 @@ struct NumberEdit {
   bool finished = false;  ///< a drag was let go: what comes next is another undo step
   bool reset = false;     ///< asks for the default
   double value = 0;
-  std::string problem;    ///< what was wrong with the typed text
+  std::string problem;  ///< what was wrong with the typed text
 };
 
 /// `value` is of the first thing where they are mixed. `name` goes to the UI map and must be unique on the screen.

@@ -52,7 +52,8 @@ std::optional<RowChange> numberRow(const InspectorRow& row, const std::string& n
   if (change && change->kind == RowChange::Kind::Value) {
     // A drag let go without a last change still ends its undo step: it says the value again.
     const double next = edit.changed ? edit.value : shown;
-    change->value = whole ? ParameterValue(int(std::clamp(next, -2147483648.0, 2147483647.0))) : ParameterValue(float(next));
+    change->value =
+        whole ? ParameterValue(int(std::clamp(next, -2147483648.0, 2147483647.0))) : ParameterValue(float(next));
   }
   return change;
 }
@@ -133,15 +134,21 @@ std::optional<RowChange> textRow(const InspectorRow& row, const std::string& nam
 std::optional<RowChange> valueWidget(const InspectorRow& row, const std::string& name) {
   switch (row.info.type) {
     case ParameterType::Real:
-    case ParameterType::Integer: return numberRow(row, name);
+    case ParameterType::Integer:
+      return numberRow(row, name);
     case ParameterType::Real2:
-    case ParameterType::Integer2: return vectorRow(row, name);
+    case ParameterType::Integer2:
+      return vectorRow(row, name);
     case ParameterType::Real3:
       return row.info.label.find("olour") != std::string_view::npos ? colourRow(row, name) : vectorRow(row, name);
-    case ParameterType::Choice: return choiceRow(row, name);
-    case ParameterType::Switch: return switchRow(row, name);
-    case ParameterType::Text: return textRow(row, name);
-    case ParameterType::Id: break;
+    case ParameterType::Choice:
+      return choiceRow(row, name);
+    case ParameterType::Switch:
+      return switchRow(row, name);
+    case ParameterType::Text:
+      return textRow(row, name);
+    case ParameterType::Id:
+      break;
   }
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", row.mixed ? "mixed" : toText(row.info, row.value).c_str());
@@ -168,7 +175,9 @@ bool beginRows(const char* name) {
   return true;
 }
 
-void endRows() { ImGui::EndTable(); }
+void endRows() {
+  ImGui::EndTable();
+}
 
 std::optional<RowChange> parameterRow(const InspectorRow& row, std::string_view prefix) {
   const std::string name = std::string(prefix) + "/" + std::string(row.info.key);

@@ -6,7 +6,9 @@
 
 namespace windloom::editor {
 
-float splitterThickness() { return scaled(4.0f); }
+float splitterThickness() {
+  return scaled(4.0f);
+}
 
 bool splitter(const char* name, bool vertical, float x, float y, float length, float sign, float min, float max,
               float home, float& size) {

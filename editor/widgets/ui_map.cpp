@@ -8,8 +8,8 @@ namespace windloom::editor {
 void UiMap::rectangle(std::string_view name, ImVec2 min, ImVec2 max) {
   if (!on()) return;
   const auto whole = [](float value) { return std::to_string(std::lround(value)); };
-  m_rectangles.insert_or_assign(std::string(name), whole(min.x) + " " + whole(min.y) + " " + whole(max.x - min.x) + " " +
-                                                       whole(max.y - min.y));
+  m_rectangles.insert_or_assign(
+      std::string(name), whole(min.x) + " " + whole(min.y) + " " + whole(max.x - min.x) + " " + whole(max.y - min.y));
 }
 
 void UiMap::fact(std::string_view name, std::string_view value) {

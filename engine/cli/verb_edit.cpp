@@ -32,8 +32,8 @@ int startEditor(const Options& options) {
   // Where execv succeeds the editor takes this process over, so its exit status is this verb's.
   const char* const arguments[] = {program.c_str(), options.file.empty() ? nullptr : options.file.c_str(), nullptr};
   ::execv(program.c_str(), const_cast<char* const*>(arguments));
-  return reportError(makeError(ErrorKind::Machine, program, "", std::string("can't be started: ") + std::strerror(errno)),
-                     options);
+  return reportError(
+      makeError(ErrorKind::Machine, program, "", std::string("can't be started: ") + std::strerror(errno)), options);
 }
 
 }  // namespace

@@ -9,12 +9,18 @@ namespace {
 
 using Kind = InputEvent::Kind;
 
-InputEvent move(double x, double y) { return {.kind = Kind::MouseMove, .x = x, .y = y}; }
-InputEvent button(int action) { return {.kind = Kind::MouseButton, .code = GLFW_MOUSE_BUTTON_LEFT, .action = action}; }
+InputEvent move(double x, double y) {
+  return {.kind = Kind::MouseMove, .x = x, .y = y};
+}
+InputEvent button(int action) {
+  return {.kind = Kind::MouseButton, .code = GLFW_MOUSE_BUTTON_LEFT, .action = action};
+}
 InputEvent key(int code, int action, int modifiers = 0) {
   return {.kind = Kind::Key, .code = code, .action = action, .modifiers = modifiers};
 }
-InputEvent text(char c) { return {.kind = Kind::Text, .code = c}; }
+InputEvent text(char c) {
+  return {.kind = Kind::Text, .code = c};
+}
 
 /// The kinds of the events of each frame until the queue is empty.
 std::vector<std::vector<Kind>> frames(InputQueue& queue) {
