@@ -1,0 +1,96 @@
+"""Renders the samples small and compares them with the pictures beside this script.
+
+Made and compared on Mesa llvmpipe. Two releases of it differ by a rounded colour here and there, and a blade's edge may fall on
+the next pixel; so a picture passes if its mean difference is at most MEAN_LIMIT of 255 and at most FAR_SHARE of its pixels
+are off by more than FAR of 255. A changed camera, light, blade shape or wind is far above both (self_check shows it).
+
+usage: golden_pictures.py --windloom PROGRAM --projects FOLDER [--renew]
+"""
+import argparse
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import numpy
+
+MEAN_LIMIT = 2.0
+FAR = 40
+FAR_SHARE = 0.02
+SIZE = (320, 180)
+HERE = pathlib.Path(__file__).parent / "pictures"
+# name, project, more arguments
+PICTURES = [
+    ("meadow-hero", "meadow", ["--camera", "hero", "--time", "3"]),
+    ("meadow-hill-arrows", "meadow", ["--camera", "hill", "--time", "5", "--overlay", "arrows"]),
+    ("colliding-top-speed", "colliding-winds", ["--camera", "top", "--time", "3", "--overlay", "arrows,vectors,speed"]),
+    ("canyon-hero", "canyon", ["--camera", "hero", "--time", "2"]),
+]
+
+
+def render(windloom, projects, project, more, out):
+    command = [windloom, "render", str(projects / project / f"{project}.wind.json"), "--out", str(out), "--size",
+               f"{SIZE[0]}x{SIZE[1]}", "--resolution", "128x128", "--backend", "cpu", *more]
+    done = subprocess.run(command, capture_output=True, text=True)
+    if done.returncode != 0:
+        raise SystemExit(f"{' '.join(command)}\nexit {done.returncode}\n{done.stderr}")
+
+
+def pixels(path):
+    raw = subprocess.run(["convert", str(path), "-depth", "8", "rgb:-"], check=True, capture_output=True).stdout
+    return numpy.frombuffer(raw, numpy.uint8).reshape(SIZE[1], SIZE[0], 3).astype(int)
+
+
+def problem(made, stored):
+    """What is wrong with a picture, or nothing."""
+    difference = numpy.abs(made - stored)
+    mean = difference.mean()
+    share = (difference.max(axis=2) > FAR).mean()
+    if mean > MEAN_LIMIT or share > FAR_SHARE:
+        return f"mean difference {mean:.2f} (at most {MEAN_LIMIT}), {100 * share:.1f}% far off (at most {100 * FAR_SHARE}%)"
+    return None
+
+
+def self_check(stored):
+    """The comparison must tell apart what an eye does: a shifted picture and a darker one."""
+    found = []
+    if problem(numpy.roll(stored, 3, axis=1), stored) is None:
+        found.append("self check: a picture moved by three pixels passes")
+    if problem(stored * 95 // 100, stored) is None:
+        found.append("self check: a picture darker by 5% passes")
+    if problem(stored, stored) is not None:
+        found.append("self check: a picture differs from itself")
+    return found
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--windloom", required=True)
+    parser.add_argument("--projects", required=True, type=pathlib.Path)
+    parser.add_argument("--renew", action="store_true")
+    options = parser.parse_args()
+    failures = []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, project, more in PICTURES:
+            target = HERE / f"{name}.png"
+            out = target if options.renew else pathlib.Path(folder) / target.name
+            render(options.windloom, options.projects, project, more, out)
+            if options.renew:
+                continue
+            stored = pixels(target)
+            failures += [f"{name}: {text}" for text in self_check(stored)]
+            made = pixels(out)
+            black = (made.max(axis=2) == 0).mean()
+            if black > 0.001:
+                failures.append(f"{name}: {100 * black:.2f}% of the pixels are black")
+            wrong = problem(made, stored)
+            print(f"{name}: {wrong or 'as stored'}")
+            if wrong:
+                failures.append(f"{name}: {wrong}")
+    for line in failures:
+        print(line)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
