@@ -49,7 +49,7 @@ vec3 skySheen(float laid, float sun) { return frame.skyColour.rgb * (0.14 * laid
 // And they show their paler undersides.
 vec3 laidAlbedo(vec3 albedo, vec3 t) {
   float laid = clamp(1.0 - t.y * t.y, 0.0, 1.0);
-  return mix(albedo, vec3(0.95, 1.05, 0.75) * dot(albedo, vec3(0.3, 0.6, 0.1)), 0.35 * laid) * (1.0 + 0.8 * laid);
+  return mix(albedo, vec3(0.95, 1.05, 0.75) * dot(albedo, vec3(0.3, 0.6, 0.1)), 0.35 * laid) * (1.0 + 1.2 * laid);
 }
 
 // Light from a point of one blade towards `v`; `n` is the blade's normal on the side seen.
@@ -74,14 +74,15 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   float sinL = sqrt(max(1.0 - tl * tl, 0.0));
   float sinV = sqrt(max(1.0 - tv * tv, 0.0));
   // Share of the light that meets the side seen: the angle between sun and eye around the stem.
-  float around = clamp((dot(l, v) - tl * tv) / max(sinL * sinV, 0.05), -1.0, 1.0);
+  // Along the stem no side is seen more than another, hence the bound on sinV.
+  float around = clamp((dot(l, v) - tl * tv) / max(sinL * max(sinV, 0.6), 0.05), -1.0, 1.0);
   float front = 0.5 + 0.5 * around;
   float forward = pow(max(dot(v, -l), 0.0), 4.0);
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
   vec3 direct = sinL * 0.46 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.5 + 0.7 * forward));
   vec3 h = normalize(v + l);
   float th = dot(t, h);
-  float sheen = pow(max(1.0 - th * th, 0.0), 7.0) * (0.03 + 0.2 * pow(1.0 - max(sinV, 0.0), 2.0)) + 0.05 * forward * sinL;
+  float sheen = pow(max(1.0 - th * th, 0.0), 7.0) * 0.04 + 0.05 * forward * sinL;
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * 0.85;
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
   vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
@@ -112,7 +113,7 @@ vec3 meanStem(vec2 wind) {
 
 // Earth and old grass between the stems. `litter` 0..1 bare to covered.
 vec3 undergrowth(float litter, float bright, float sunlit, float open) {
-  vec3 low = mix(frame.groundColour.rgb, bladeAlbedo(0.4, 0.35, 1.0, 0.3), 0.35 + 0.45 * litter) * bright;
+  vec3 low = mix(frame.groundColour.rgb, bladeAlbedo(0.45, 0.1, 1.0, 0.0), 0.55 + 0.4 * litter) * bright;
   float sun = sunInCanopy(0.3, grass.levels.z) * sunlit;
   vec3 light = frame.sunColour.rgb * max(frame.sunDirection.y, 0.0) * sun + frame.skyColour.rgb * mix(0.9, 0.4, grass.levels.z) * open;
   return low * light;
@@ -130,7 +131,7 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, float sunlit) {
   vec2 patchTint = meadowPatch(world);
   vec3 stem = meanStem(wind);
   // A low eye sees the tips, a high one looks down into the canopy.
-  float height = mix(0.86, 0.36, sqrt(max(v.y, 0.0)));
+  float height = mix(0.86, 0.52, sqrt(max(v.y, 0.0)));
   GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
   vec3 albedo = laidAlbedo(bladeAlbedo(height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
   return mix(lightCanopy(albedo, stem, v, at), undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
