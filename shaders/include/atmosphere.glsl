@@ -14,8 +14,9 @@ vec3 clearSky(vec3 direction) {
   return colour + kSunward * (0.22 * exp2((sunward - 1.0) * 9.0) + 0.9 * exp2((sunward - 1.0) * 160.0));
 }
 
-// What the air puts before distant things: the horizon in that direction.
-vec3 hazeColour(vec3 fromCamera) { return clearSky(normalize(vec3(fromCamera.x, 0.02, fromCamera.z))) * 0.92; }
+// What the air puts before distant things: the horizon in the direction of a unit vector. It is not made unit again:
+// looking straight down it has no direction, and the glow around the sun must fade out there.
+vec3 hazeColour(vec3 fromCamera) { return clearSky(vec3(fromCamera.x, 0.02, fromCamera.z)) * 0.92; }
 
 float hazeAmount(float distanceM) { return isOrthographic() ? 0.0 : 1.0 - exp(-frame.pixelScale.y * distanceM); }
 
