@@ -24,6 +24,7 @@ struct BenchSetup {
   bool cpu = true;                  ///< measure the CPU backend
   gpu::Context* context = nullptr;  ///< null: measure nothing on the GPU
   gpu::ShaderLibrary* shaders = nullptr;
+  std::vector<int> cells;  ///< sides of the fields of scene `solver`; empty: its own choice
   double capSeconds = 20;  ///< about how long one row may take; rows that would take longer have fewer runs
 };
 

@@ -126,7 +126,8 @@ Result<BenchRow> gpuPlainStep(const BenchSetup& setup, int cells) {
 
 Result<std::vector<BenchRow>> benchSolver(const BenchSetup& setup) {
   const bool quick = setup.size == BenchSize::Quick;
-  const std::vector<int> sizes = quick ? std::vector<int>{64} : std::vector<int>{256, 512, 1000, 2048, 4096};
+  const std::vector<int> usual = quick ? std::vector<int>{64} : std::vector<int>{256, 512, 1000, 2048, 4096};
+  const std::vector<int>& sizes = setup.cells.empty() ? usual : setup.cells;
   const int manyArrowsAt = quick ? 64 : 1000;
   std::vector<BenchRow> rows;
   const auto add = [&](Result<BenchRow> row) -> Status {

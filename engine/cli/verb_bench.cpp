@@ -14,6 +14,7 @@ namespace {
 struct Options : CommonOptions {
   std::vector<std::string> scenes;
   std::string jsonFile;
+  std::vector<int> cells;
   bool quick = false;
 };
 
@@ -95,6 +96,7 @@ int runBench(const Options& options) {
   if (!gl) return reportError(gl.error(), common);
   BenchSetup setup;
   setup.size = options.quick ? BenchSize::Quick : BenchSize::Full;
+  setup.cells = options.cells;
   setup.cpu = options.backend != Backend::Gpu;
   setup.context = gl->context.get();
   setup.shaders = gl->shaders.get();
@@ -135,6 +137,10 @@ VerbAction makeBenchVerb(CLI::App& app) {
       ->type_name("FILE")
       ->expected(0, 1)
       ->default_str("-");
+  app.add_option("--cells", options->cells, "Scene solver: cells along a side of the fields, separated by commas")
+      ->type_name("N[,N...]")
+      ->delimiter(',')
+      ->check(CLI::Range(16, 8192));
   app.add_flag("--quick", options->quick, "Tiny sizes, to see that it runs");
   addBackendOption(app, *options);
   std::string footer = "Times are medians. Scenes:\n";
