@@ -60,7 +60,8 @@ struct CpuFields {
   CpuVelocity velocity;                  // the field that left the last step
   CpuVelocity forced, moved, corrected;  // q; q', then q*; room for the correction
   CpuVelocity lowest, highest;           // bounds of the correction
-  CpuPlane phi;                          // m^2/s
+  CpuPlane phi, expected;                // m^2/s: the last step's, and what this one's is expected to be
+  bool hasPhi = false;                   // false: no step came before, or its phi was of no use
   CpuPlane speedX, speedZ;               // cell velocity
   CpuRuns blockedX, blockedZ;            // faces kept at 0
   CpuRuns solidNodes;                    // nodes that touch a solid cell: no vorticity there

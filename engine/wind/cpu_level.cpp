@@ -33,7 +33,7 @@ class Rings {
   [[nodiscard]] float* residual() { return m_memory + static_cast<std::ptrdiff_t>(kStages * 4 + 1) * m_stride; }
 
  private:
-  static constexpr int kStages = 4;
+  static constexpr int kStages = static_cast<int>(kMostSweeps) + 1;
   int m_width, m_stride;
   float* m_memory;
 };
@@ -143,7 +143,7 @@ class Pipeline {
       : m_pass(pass), m_level(*pass.level), m_rings(m_level, memory), m_begin(begin), m_end(end) {}
 
   HWY_ATTR LevelProducts run() {
-    const int sweeps = m_pass.sweeps, tail = m_pass.end == PassEnd::None ? 0 : 1;
+    const int sweeps = this->sweeps(), tail = m_pass.end == PassEnd::None ? 0 : 1;
     const int reach = sweeps + tail;
     LevelProducts products;
     for (int r = m_begin - reach; r < m_end + 2 * reach; ++r) {
@@ -159,6 +159,7 @@ class Pipeline {
   }
 
  private:
+  [[nodiscard]] int sweeps() const { return static_cast<int>(m_pass.weights.size()); }
   /// Whether stage rows with `more` rows on each side of the task hold row k.
   [[nodiscard]] bool inside(int k, int more) const {
     return k >= m_begin - more && k < m_end + more && (m_level.periodicZ || (k >= 0 && k < m_level.height));
@@ -188,13 +189,13 @@ class Pipeline {
     if (stage == 1 && m_pass.start == PassStart::Zero) {
       startRow({m_level, wrap(k)}, m_pass.weights[0], out);
     } else {
-      smoothRow({m_level, wrap(k)}, around(stage - 1, k), m_pass.weights[stage - 1], out);
+      smoothRow({m_level, wrap(k)}, around(stage - 1, k), m_pass.weights[static_cast<std::size_t>(stage - 1)], out);
     }
     setEnds(out);
-    if (stage == m_pass.sweeps && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
+    if (stage == sweeps() && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
   }
   HWY_ATTR void leave(int k, LevelProducts& products) {
-    residualRow({m_level, k}, around(m_pass.sweeps, k), m_rings.residual());
+    residualRow({m_level, k}, around(sweeps(), k), m_rings.residual());
     if (m_pass.end == PassEnd::Restrict) {
       restrictRow(m_rings.residual(), m_level, *m_pass.coarse, k);
       return;
@@ -203,7 +204,7 @@ class Pipeline {
     const float *HWY_RESTRICT b = m_level.b.row(k), *HWY_RESTRICT residual = m_rings.residual();
     for (int i = 0, width = m_level.width; i < width; ++i) applied[i] = b[i] - residual[i];
     products.withResidual += productOf(b, applied, m_level.width);
-    products.withLast += productOf(applied, m_level.lastApplied.row(k), m_level.width);
+    if (m_pass.joins) products.withLast += productOf(applied, m_level.lastApplied.row(k), m_level.width);
     products.withItself += productOf(applied, applied, m_level.width);
   }
 
@@ -231,6 +232,18 @@ HWY_ATTR void advanceRow(const DirectionRows& rows, int count, float alpha, floa
   }
 }
 
+HWY_ATTR void beginRow(const DirectionRows& rows, int count, float alpha) {
+  const float *HWY_RESTRICT fresh = rows.fresh, *HWY_RESTRICT freshApplied = rows.freshApplied;
+  float *HWY_RESTRICT direction = rows.direction, *HWY_RESTRICT applied = rows.applied;
+  float *HWY_RESTRICT solution = rows.solution, *HWY_RESTRICT residual = rows.residual;
+  for (int i = 0; i < count; ++i) {
+    direction[i] = fresh[i];
+    applied[i] = freshApplied[i];
+    solution[i] = alpha * fresh[i];
+    residual[i] -= alpha * freshApplied[i];
+  }
+}
+
 }  // namespace
 }  // namespace HWY_NAMESPACE
 }  // namespace windloom
@@ -241,6 +254,7 @@ namespace windloom {
 
 HWY_EXPORT(levelPassRows);
 HWY_EXPORT(advanceRow);
+HWY_EXPORT(beginRow);
 
 LevelProducts runLevelPass(const LevelPass& pass, int begin, int end) {
   return HWY_DYNAMIC_DISPATCH(levelPassRows)(pass, begin, end);
@@ -248,6 +262,10 @@ LevelProducts runLevelPass(const LevelPass& pass, int begin, int end) {
 
 void advanceSolution(const DirectionRows& rows, int count, float alpha, float beta) {
   HWY_DYNAMIC_DISPATCH(advanceRow)(rows, count, alpha, beta);
+}
+
+void beginSolution(const DirectionRows& rows, int count, float alpha) {
+  HWY_DYNAMIC_DISPATCH(beginRow)(rows, count, alpha);
 }
 
 }  // namespace windloom

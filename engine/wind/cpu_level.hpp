@@ -1,6 +1,7 @@
 #pragma once
 // One level of the CPU backend's multigrid, and the one pass over it that everything is made of.
 
+#include <span>
 #include <vector>
 
 #include "engine/wind/cpu_plane.hpp"
@@ -27,7 +28,10 @@ struct CpuLevel {
 };
 
 /// Rows a task of a pass works on; even, so that a pair of rows that coarsens into one stays in one task.
-inline constexpr int kLevelRowsPerTask = 32;
+inline constexpr int kLevelRowsPerTask = 48;
+
+/// Most sweeps of one pass.
+inline constexpr std::size_t kMostSweeps = 5;
 
 enum class PassStart {
   Zero,     ///< d is 0
@@ -54,8 +58,8 @@ struct LevelPass {
   CpuLevel* coarse = nullptr;  // for Prolong and Restrict; for Prolong with the ghosts of its d set
   PassStart start = PassStart::Zero;
   PassEnd end = PassEnd::None;
-  float weights[3] = {0, 0, 0};
-  int sweeps = 3;  // 1 to 3
+  std::span<const float> weights;  // of the sweeps, 1 to kMostSweeps of them
+  bool joins = false;              // Apply: whether there is a level.lastApplied
 };
 
 /// Runs rows [begin, end) of a pass. Tasks of one pass may run at the same time.
@@ -68,5 +72,7 @@ struct DirectionRows {
   float *direction, *applied, *solution, *residual;
 };
 void advanceSolution(const DirectionRows& rows, int count, float alpha, float beta);
+/// The first time: direction = fresh, applied = freshApplied, solution = alpha direction.
+void beginSolution(const DirectionRows& rows, int count, float alpha);
 
 }  // namespace windloom

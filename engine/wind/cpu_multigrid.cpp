@@ -5,7 +5,8 @@
 #include "engine/wind/cpu_multigrid.hpp"
 
 #include <algorithm>
-#include <numeric>
+#include <cmath>
+#include <numbers>
 
 #include "engine/wind/cpu_tasks.hpp"
 #include "shaders/shared/wind_constants.h"
@@ -14,6 +15,21 @@ namespace windloom {
 namespace {
 
 constexpr int kShortestPlainRun = 16;  // shorter ones aren't worth a loop of their own
+
+/// Reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2], the largest first.
+std::span<const float> upWeights() {
+  static_assert(WIND_SWEEPS_UP <= kMostSweeps);
+  static const std::vector<float> weights = [] {
+    std::vector<float> made;
+    for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) {
+      const double middle = 0.5 * (2 + double(WIND_SMOOTH_FROM)), reach = 0.5 * (2 - double(WIND_SMOOTH_FROM));
+      made.push_back(static_cast<float>(
+          1 / (middle + reach * std::cos(std::numbers::pi * (2 * m + 1) / (2 * double(WIND_SWEEPS_UP))))));
+    }
+    return made;
+  }();
+  return weights;
+}
 
 CpuPlane planeOf(int width, int height, const std::vector<float>& values) {
   CpuPlane plane(width, height);
@@ -133,73 +149,80 @@ LevelProducts CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
   return sum;
 }
 
-/// One V-cycle for the present b from d = 0.
-LevelProducts CpuMultigrid::cycle(ThreadPool& pool) {
+/// One V-cycle for the present b from d = 0. `joins`: it isn't the first of its solve.
+LevelProducts CpuMultigrid::cycle(ThreadPool& pool, bool joins) {
   const std::size_t last = m_levels.size() - 1;
+  constexpr float kDown[] = {WIND_SMOOTH_DOWN};
   for (std::size_t l = 0; l < last; ++l) {
-    run(pool, {&m_levels[l],
-               &m_levels[l + 1],
-               PassStart::Zero,
-               PassEnd::Restrict,
-               {WIND_SMOOTH_0, WIND_SMOOTH_1, WIND_SMOOTH_2},
-               3});
+    run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Zero, PassEnd::Restrict, kDown});
   }
   CpuLevel& single = m_levels[last];
   single.d.at(0, 0) = -single.b.at(0, 0) * single.inverse.at(0, 0);
   LevelProducts products;
   for (std::size_t l = last; l-- > 0;) {
     setGhosts(m_levels[l + 1].d);
-    products = run(pool, {&m_levels[l],
-                          &m_levels[l + 1],
-                          PassStart::Prolong,
-                          l == 0 ? PassEnd::Apply : PassEnd::None,
-                          {WIND_SMOOTH_2, WIND_SMOOTH_1, WIND_SMOOTH_0},
-                          3});
+    products = run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Prolong, l == 0 ? PassEnd::Apply : PassEnd::None,
+                          upWeights(), joins});
   }
   return products;
 }
 
-void CpuMultigrid::advance(ThreadPool& pool, float alpha, float beta) {
+/// Makes the last cycle's correction part of the solution.
+void CpuMultigrid::advance(ThreadPool& pool, float alpha, float beta, bool joins) {
   CpuLevel& fine = m_levels[0];
   forRows(pool, fine.width, fine.height, [&](int, int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      advanceSolution({fine.d.row(k), fine.applied.row(k), m_direction.row(k), fine.lastApplied.row(k),
-                       m_solution.row(k), fine.b.row(k)},
-                      fine.width, alpha, beta);
+      const DirectionRows rows{fine.d.row(k), fine.applied.row(k), m_direction.row(k), fine.lastApplied.row(k),
+                               m_solution.row(k), fine.b.row(k)};
+      if (joins) {
+        advanceSolution(rows, fine.width, alpha, beta);
+      } else {
+        beginSolution(rows, fine.width, alpha);
+      }
     }
   });
 }
 
 int CpuMultigrid::solve(ThreadPool& pool, double startSquares, double wantedSquares, int maxCycles) {
-  for (CpuPlane* plane : {&m_solution, &m_direction, &m_levels[0].lastApplied}) plane->clear();
+  m_factor = 0;
   double squares = startSquares, lastSize = 0;
   int cycles = 0;
   while (squares > wantedSquares && cycles < maxCycles) {
-    const LevelProducts p = cycle(pool);
-    ++cycles;
-    const double beta = lastSize > 0 ? p.withLast / lastSize : 0;
-    const double size = p.withItself - beta * beta * lastSize;
+    const bool joins = cycles > 0;
+    const LevelProducts p = cycle(pool, joins);
+    const double beta = joins ? p.withLast / lastSize : 0;
+    const double size = p.withItself - (joins ? beta * beta * lastSize : 0);
     if (!(size > 0)) break;
+    ++cycles;
     const double alpha = p.withResidual / size;
-    advance(pool, static_cast<float>(alpha), static_cast<float>(beta));
     lastSize = size;
     squares -= alpha * p.withResidual;
+    if (!joins && (squares <= wantedSquares || cycles == maxCycles)) {  // the usual case needs no more than this
+      std::swap(m_solution, m_levels[0].d);
+      m_factor = static_cast<float>(alpha);
+      return cycles;
+    }
+    advance(pool, static_cast<float>(alpha), static_cast<float>(beta), joins);
+    m_factor = 1;
   }
   return cycles;
 }
 
 void CpuMultigrid::sweep(ThreadPool& pool, int sweeps) {
   CpuLevel& fine = m_levels[0];
+  constexpr float kPlain[kMostSweeps] = {1, 1, 1, 1, 1};
   for (int done = 0; done < sweeps;) {
-    const int now = std::min(3, sweeps - done);
+    const int now = std::min(static_cast<int>(kMostSweeps), sweeps - done);
     for (int k = 0; k < fine.height; ++k) {
       fine.d.at(-1, k) = fine.periodicX ? fine.d.at(fine.width - 1, k) : 0.0f;
       fine.d.at(fine.width, k) = fine.periodicX ? fine.d.at(0, k) : 0.0f;
     }
-    run(pool, {&fine, nullptr, done == 0 ? PassStart::Zero : PassStart::Plane, PassEnd::None, {1, 1, 1}, now});
+    run(pool, {&fine, nullptr, done == 0 ? PassStart::Zero : PassStart::Plane, PassEnd::None,
+               std::span(kPlain).first(static_cast<std::size_t>(now))});
     done += now;
   }
   std::swap(fine.d, m_solution);
+  m_factor = 1;
 }
 
 std::size_t CpuMultigrid::memoryBytes() const {

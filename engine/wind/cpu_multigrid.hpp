@@ -17,8 +17,9 @@ class CpuMultigrid {
 
   /// The right-hand side b, set by the caller before solving: flux in m^2/s; 0 in solid cells. Solving overwrites it.
   [[nodiscard]] CpuPlane& flux() { return m_levels[0].b; }
-  /// The solution d.
+  /// The solution d is this times correctionFactor().
   [[nodiscard]] const CpuPlane& correction() const { return m_solution; }
+  [[nodiscard]] float correctionFactor() const { return m_factor; }
 
   /// Solves from d = 0 until the sum over cells of (b - A d)^2 is at most `wantedSquares` or `maxCycles` V-cycles are
   /// done; `startSquares` is the sum at the start. Returns the cycles.
@@ -29,14 +30,15 @@ class CpuMultigrid {
   [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
-  LevelProducts cycle(ThreadPool& pool);
+  LevelProducts cycle(ThreadPool& pool, bool joins);
   LevelProducts run(ThreadPool& pool, const LevelPass& pass);
-  void advance(ThreadPool& pool, float alpha, float beta);
+  void advance(ThreadPool& pool, float alpha, float beta, bool joins);
   void setGhosts(CpuPlane& plane) const;
 
   Border m_xMin = Border::Open, m_xMax = Border::Open, m_zMin = Border::Open, m_zMax = Border::Open;
   std::vector<CpuLevel> m_levels;
   CpuPlane m_solution, m_direction;
+  float m_factor = 0;
   std::vector<LevelProducts> m_products;
 };
 

@@ -53,6 +53,11 @@ void setCellGhosts(CpuFields& f) {
 
 }  // namespace
 
+void forgetPressure(CpuFields& f) {
+  f.expected.clear();
+  f.hasPhi = false;
+}
+
 ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool) {
   const double area = double(f.grid.hx) * double(f.grid.hz);
   const double air = static_cast<double>(std::max<std::size_t>(f.grid.airCells, 1));
@@ -62,8 +67,8 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
                    [&](int begin, int end) { return predictRowsOf(f, multigrid.flux(), begin, end); });
   };
   RowFindings before = predict();
-  if (!(before.predictedSquares <= before.fluxSquares)) {  // the last pressure is of no use: begin from nothing
-    f.phi.clear();
+  if (f.hasPhi && !(before.predictedSquares <= before.fluxSquares)) {  // what was expected is of no use
+    forgetPressure(f);
     before = predict();
   }
   constexpr double kRoom = 0.95;  // rounding in the last gradient adds to the residual
@@ -74,8 +79,9 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   ProjectionReport report;
   report.cycles = solve(f, multigrid, pool, wanted, before.predictedSquares);
   const RowFindings after = runPass(pool, f.width(), f.height(), [&](int begin, int end) {
-    return finishRowsOf(f, multigrid.correction(), begin, end);
+    return finishRowsOf(f, multigrid.correction(), multigrid.correctionFactor(), begin, end);
   });
+  f.hasPhi = true;
   std::swap(f.velocity, f.moved);
   setCellGhosts(f);
   report.divergenceBefore = std::sqrt(before.fluxSquares / air) / area;

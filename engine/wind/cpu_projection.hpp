@@ -15,6 +15,9 @@ struct ProjectionReport {
   CpuHealth health;
 };
 
+/// The next projection starts from nothing.
+void forgetPressure(CpuFields& fields);
+
 /// Settles `moved` and makes it free of divergence into `velocity`; keeps phi for the next step and sets the cell
 /// velocities with their ghosts. `moved` is overwritten.
 ProjectionReport project(CpuFields& fields, CpuMultigrid& multigrid, ThreadPool& pool);

@@ -67,11 +67,17 @@ HWY_ATTR inline float takenOff(float in, float part) {
   return std::abs(value) <= kLargestHealthy ? value : in;
 }
 
-/// x-faces of row k: in - grad phi.
-HWY_ATTR void gradientX(const CpuFields& f, const CpuPlane& phi, int k, const float* in, float* out) {
+/// A pressure: `factor` times a plane.
+struct Pressed {
+  const CpuPlane& plane;
+  float factor;
+};
+
+/// x-faces of row k: in - gradient of the pressure.
+HWY_ATTR void gradientX(const CpuFields& f, Pressed phi, int k, const float* in, float* out) {
   const WindGrid& g = f.grid;
-  const float scale = 1 / g.hx;
-  const float* p = phi.row(k);
+  const float scale = phi.factor / g.hx;
+  const float* p = phi.plane.row(k);
   const int last = g.width - 1;
   takeOff(in, p - 1, p, scale, 1, g.width, out);
   const bool periodic = g.periodicX();
@@ -80,16 +86,16 @@ HWY_ATTR void gradientX(const CpuFields& f, const CpuPlane& phi, int k, const fl
   zeroRuns(f.blockedX, k, out);
 }
 
-/// z-faces of row k in [0, height]: in - grad phi.
-HWY_ATTR void gradientZ(const CpuFields& f, const CpuPlane& phi, int k, const float* in, float* out) {
+/// z-faces of row k in [0, height]: in - gradient of the pressure.
+HWY_ATTR void gradientZ(const CpuFields& f, Pressed phi, int k, const float* in, float* out) {
   const WindGrid& g = f.grid;
-  const float scale = 1 / g.hz;
+  const float scale = phi.factor / g.hz;
   if ((k > 0 && k < g.height) || g.periodicZ()) {
-    takeOff(in, phi.row(k > 0 ? k - 1 : g.height - 1), phi.row(k < g.height ? k : 0), scale, 0, g.width, out);
+    takeOff(in, phi.plane.row(k > 0 ? k - 1 : g.height - 1), phi.plane.row(k < g.height ? k : 0), scale, 0, g.width, out);
   } else {
     const Border border = k == 0 ? g.zMin : g.zMax;
     const float outward = border == Border::Open ? (k == 0 ? 2 * scale : -2 * scale) : 0.0f;
-    const float* p = phi.row(k == 0 ? 0 : g.height - 1);
+    const float* p = phi.plane.row(k == 0 ? 0 : g.height - 1);
     for (int i = 0; i < g.width; ++i) out[i] = takenOff(in[i], outward * p[i]);
   }
   zeroRuns(f.blockedZ, k, out);
@@ -148,18 +154,19 @@ HWY_ATTR RowFindings predictTask(CpuFields& f, CpuPlane& flux, int begin, int en
   const Scratch scratch(f.moved.u.stride(), 6);
   float *u = scratch.row(0), *came = scratch.row(1);
   const int width = f.width(), height = f.height();
+  const Pressed expected{f.expected, 1};
   const auto settled = [&](int k) { return scratch.row(2 + (k & 1)); };
   const auto predicted = [&](int k) { return scratch.row(4 + (k & 1)); };
   settleRowZ(f, begin, true, settled(begin), findings);
-  gradientZ(f, f.phi, begin, settled(begin), predicted(begin));
+  gradientZ(f, expected, begin, settled(begin), predicted(begin));
   for (int k = begin; k < end; ++k) {
     settleRowX(f, k, u, findings);
     settleRowZ(f, k + 1, k + 1 < end || k + 1 == height, settled(k + 1), findings);
     fluxRow(f.grid, u, settled(k), settled(k + 1), came);
     findings.fluxSquares += productOf(came, came, width);
     findings.speedSquares += productOf(u, u, width) + productOf(settled(k), settled(k), width);
-    gradientX(f, f.phi, k, u, f.velocity.u.row(k));
-    gradientZ(f, f.phi, k + 1, settled(k + 1), predicted(k + 1));
+    gradientX(f, expected, k, u, f.velocity.u.row(k));
+    gradientZ(f, expected, k + 1, settled(k + 1), predicted(k + 1));
     fluxRow(f.grid, f.velocity.u.row(k), predicted(k), predicted(k + 1), flux.row(k));
     findings.predictedSquares += productOf(flux.row(k), flux.row(k), width);
     std::copy_n(predicted(k), width, f.velocity.w.row(k));
@@ -168,14 +175,19 @@ HWY_ATTR RowFindings predictTask(CpuFields& f, CpuPlane& flux, int begin, int en
   return findings;
 }
 
-HWY_ATTR void addPressure(const float* HWY_RESTRICT d, int count, float* HWY_RESTRICT phi) {
+/// phi = expected + d; what the next step may expect: as much more again as it was more than the last one.
+HWY_ATTR void addPressure(const float* HWY_RESTRICT d, float factor, int count, bool hasLast,
+                          float* HWY_RESTRICT expected, float* HWY_RESTRICT phi) {
   for (int i = 0; i < count; ++i) {
-    const float sum = phi[i] + d[i];
-    phi[i] = std::abs(sum) <= kLargestHealthy ? sum : 0.0f;
+    const float sum = expected[i] + factor * d[i];
+    const float now = std::abs(sum) <= kLargestHealthy ? sum : 0.0f;
+    expected[i] = hasLast ? 2 * now - phi[i] : now;
+    phi[i] = now;
   }
 }
 
-HWY_ATTR RowFindings finishTask(CpuFields& f, const CpuPlane& correction, int begin, int end) {
+HWY_ATTR RowFindings finishTask(CpuFields& f, const CpuPlane& plane, float factor, int begin, int end) {
+  const Pressed correction{plane, factor};
   RowFindings findings;
   const Scratch scratch(f.moved.u.stride(), 3);
   float* flux = scratch.row(0);
@@ -187,7 +199,7 @@ HWY_ATTR RowFindings finishTask(CpuFields& f, const CpuPlane& correction, int be
     gradientX(f, correction, k, f.velocity.u.row(k), u);
     gradientZ(f, correction, k + 1, f.velocity.w.row(k + 1), w(k + 1));
     std::copy_n(w(k), width, f.moved.w.row(k));
-    addPressure(correction.row(k), width, f.phi.row(k));
+    addPressure(plane.row(k), factor, width, f.hasPhi, f.expected.row(k), f.phi.row(k));
     fluxRow(f.grid, u, w(k), w(k + 1), flux);
     findings.fluxSquares += productOf(flux, flux, width);
     findings.greatestFlux = std::max(findings.greatestFlux, static_cast<double>(greatestOf(flux, width)));
@@ -219,8 +231,8 @@ RowFindings predictRowsOf(CpuFields& fields, CpuPlane& flux, int begin, int end)
   return HWY_DYNAMIC_DISPATCH(predictTask)(fields, flux, begin, end);
 }
 
-RowFindings finishRowsOf(CpuFields& fields, const CpuPlane& correction, int begin, int end) {
-  return HWY_DYNAMIC_DISPATCH(finishTask)(fields, correction, begin, end);
+RowFindings finishRowsOf(CpuFields& fields, const CpuPlane& correction, float factor, int begin, int end) {
+  return HWY_DYNAMIC_DISPATCH(finishTask)(fields, correction, factor, begin, end);
 }
 
 }  // namespace windloom

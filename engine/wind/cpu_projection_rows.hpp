@@ -16,12 +16,13 @@ struct RowFindings {
   CpuHealth health;
 };
 
-/// Rows [begin, end) of: dissipation, health and limits of `moved`, blocked faces; the gradient of phi taken off into
+/// Rows [begin, end) of: dissipation, health and limits of `moved`, blocked faces; the gradient of the expected
+/// pressure taken off into
 /// `velocity`; the flux of that into `flux`.
 RowFindings predictRowsOf(CpuFields& fields, CpuPlane& flux, int begin, int end);
 
-/// Rows [begin, end) of: the gradient of `correction` taken off `velocity` into `moved`, phi += correction, cell
-/// velocities.
-RowFindings finishRowsOf(CpuFields& fields, const CpuPlane& correction, int begin, int end);
+/// Rows [begin, end) of: the gradient of d = `factor` times `correction` taken off `velocity` into `moved`, phi =
+/// expected + d, what the next step may expect, cell velocities.
+RowFindings finishRowsOf(CpuFields& fields, const CpuPlane& correction, float factor, int begin, int end);
 
 }  // namespace windloom

@@ -42,7 +42,7 @@ CpuFields makeFields(const WindSetup& setup) {
   f.grid = makeWindGrid(setup.field, setup.obstacles);
   for (CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest})
     *v = CpuVelocity(f.grid);
-  for (CpuPlane* p : {&f.phi, &f.speedX, &f.speedZ}) *p = CpuPlane(f.grid.width, f.grid.height);
+  for (CpuPlane* p : {&f.phi, &f.expected, &f.speedX, &f.speedZ}) *p = CpuPlane(f.grid.width, f.grid.height);
   return f;
 }
 
@@ -86,7 +86,7 @@ void CpuWindSolver::configure(const WindSetup& setup) {
 std::size_t CpuWindSolver::memoryBytes() const {
   const CpuFields& f = m_fields;
   std::size_t sum =
-      m_multigrid.memoryBytes() + f.phi.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
+      m_multigrid.memoryBytes() + f.phi.bytes() + f.expected.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
   for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest})
     sum += v->u.bytes() + v->w.bytes();
   return sum;
@@ -143,7 +143,7 @@ void CpuWindSolver::reset() {
     std::fill_n(f.velocity.w.row(k), f.width(), f.ambient.y);
   }
   blockFaces(f, f.velocity);
-  f.phi.clear();
+  forgetPressure(f);
   m_diagnostics = {};
   resampleToCells(f, m_pool);
 }
@@ -156,7 +156,7 @@ Status CpuWindSolver::setVelocity(std::span<const glm::vec2> cells) {
       f.velocity.u.at(i, k) = initialFaceX(f.grid, cells, i, k, f.solver.maxSpeed);
     for (int i = 0; i < f.width(); ++i) f.velocity.w.at(i, k) = initialFaceZ(f.grid, cells, i, k, f.solver.maxSpeed);
   }
-  f.phi.clear();
+  forgetPressure(f);
   m_diagnostics = {};
   resampleToCells(f, m_pool);
   return Done{};

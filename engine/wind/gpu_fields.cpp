@@ -44,8 +44,10 @@ int workGroups(int count, int size) {
 
 /// Floats of the partial sums of the pass with the most work-groups times values.
 std::size_t sumFloats(const WindGrid& grid) {
-  const int cells = workGroups(grid.width, WIND_GROUP_X) * workGroups(grid.height, WIND_GROUP_Z) * 5;
-  const int regions = workGroups(grid.width, WIND_INNER) * workGroups(grid.height, WIND_INNER) * 3;
+  const int cells =
+      workGroups(grid.width, WIND_GROUP_X) * workGroups(grid.height, WIND_GROUP_Z * WIND_PROJECT_STRIP) * 5;
+  constexpr int kSmallest = std::min(WIND_INNER, WIND_DOWN_INNER);
+  const int regions = workGroups(grid.width, kSmallest) * workGroups(grid.height, kSmallest) * 4;
   return static_cast<std::size_t>(std::max(cells, regions));
 }
 

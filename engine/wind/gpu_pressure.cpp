@@ -1,9 +1,10 @@
-// Multigrid as in docs/solver.md section 6, cut for few dispatches: levels are coarsened by four, a dispatch does all
-// sweeps of a level with what comes before and after them, and the small levels share one work-group.
+// Multigrid as in docs/solver.md section 6, cut for few dispatches: one takes two levels down, one takes a level up with
+// all its sweeps, and the small levels share one work-group.
 #include "engine/wind/gpu_pressure.hpp"
 
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/packing.hpp>
 #include <iterator>
 
 #include "engine/wind/gpu_programs.hpp"
@@ -12,52 +13,57 @@ namespace windloom {
 namespace {
 
 constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples of this on every driver
-constexpr CoarseningRule kCoarsening = WIND_GPU_COARSENING == 4 ? coarseningByFour : coarseningOf;
-static_assert(WIND_INNER % WIND_GPU_COARSENING == 0, "coarse cells don't straddle work-groups");
-static_assert(WIND_GPU_SWEEPS < WIND_HALO, "the residual after the sweeps needs one cell more");
+static_assert(WIND_DOWN_INNER % 2 == 0, "cells of the level after the next don't straddle work-groups");
+static_assert(2 * (WIND_DOWN_INNER + 2) + 4 <= WIND_REGION, "the region holds the ring, its residuals and its flux");
 static_assert(WIND_REGION % WIND_STRIP == 0 && WIND_REGION * WIND_STRIPS <= 1024, "a work-group of whole strips");
 
-std::size_t commandOffset(std::size_t level) {
-  return offsetof(shared::WindControl, groups) + level * 4 * sizeof(shared::uint);
+std::size_t commandOffset(std::size_t command) {
+  return offsetof(shared::WindControl, groups) + command * 4 * sizeof(shared::uint);
 }
 
 std::size_t cellCount(const PressureLevel& level) {
   return static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
 }
-
-int groupsAcross(int cells) {
-  return (cells + WIND_INNER - 1) / WIND_INNER;
+std::size_t nodeCount(const PressureLevel& level) {
+  return static_cast<std::size_t>(level.width + 1) * static_cast<std::size_t>(level.height + 1);
 }
 
-/// Conductances and shares of the low faces of each node, (width + 1) x (height + 1).
-std::vector<glm::vec4> packFaces(const PressureLevel& level) {
+int groupsAcross(int cells, int inner) {
+  return (cells + inner - 1) / inner;
+}
+
+/// See shaders/wind/level_faces.glsl.
+std::vector<shared::uint> packFaces(const PressureLevel& level) {
   const std::size_t w = static_cast<std::size_t>(level.width), h = static_cast<std::size_t>(level.height);
-  std::vector<glm::vec4> faces((w + 1) * (h + 1), glm::vec4(0));
+  std::vector<shared::uint> faces(nodeCount(level));
   for (std::size_t k = 0; k <= h; ++k) {
     for (std::size_t i = 0; i <= w; ++i) {
-      glm::vec4& node = faces[k * (w + 1) + i];
-      if (k < h) node.x = level.cx[k * (w + 1) + i];
-      if (k < h) node.z = level.shareX[k * (w + 1) + i];
-      if (i < w) node.y = level.cz[k * w + i];
-      if (i < w) node.w = level.shareZ[k * w + i];
+      glm::vec2 low(0);
+      if (k < h) low.x = level.cx[k * (w + 1) + i];
+      if (k < h && i == 0) low.x += level.groundX[2 * k];
+      if (k < h && i == w) low.x += level.groundX[2 * k + 1];
+      if (i < w) low.y = level.cz[k * w + i];
+      if (i < w && k == 0) low.y += level.groundZ[2 * i];
+      if (i < w && k == h) low.y += level.groundZ[2 * i + 1];
+      faces[k * (w + 1) + i] = glm::packHalf2x16(low / level.scale);
     }
   }
   return faces;
 }
 
-/// Floats of shared memory the tail needs from level `first` on: d, right-hand sides, residuals.
+/// Floats of shared memory the tail needs from level `first` on: d and its 0, right-hand sides of all but the first
+/// level, and the nodes.
 struct TailSize {
-  std::size_t cells = 0, rhs = 0, residuals = 0;
-  [[nodiscard]] std::size_t bytes() const { return (cells + rhs + residuals) * sizeof(float); }
+  std::size_t cells = 0, first = 0, nodes = 0;
+  [[nodiscard]] std::size_t bytes() const { return (cells + 1 + cells - first + 1 + nodes) * sizeof(float); }
 };
 TailSize tailSize(std::span<const PressureLevel> levels, std::size_t first) {
   TailSize size;
-  for (std::size_t l = first; l < levels.size(); ++l) {
-    size.cells += cellCount(levels[l]);
-    if (l > first) size.rhs += cellCount(levels[l]);
-    size.residuals = std::max(size.residuals, cellCount(levels[l]));
+  size.first = cellCount(levels[first]);
+  for (const PressureLevel& level : levels.subspan(first)) {
+    size.cells += cellCount(level);
+    size.nodes += nodeCount(level);
   }
-  size.rhs = std::max<std::size_t>(size.rhs, 1);
   return size;
 }
 
@@ -72,6 +78,14 @@ std::size_t firstOfTail(std::span<const PressureLevel> levels) {
       return first;
     }
   }
+}
+
+/// Whether one pass can take this level and the next on the way down: around a periodic border the cells of the next
+/// level must all be whole.
+bool makesPair(const PressureLevel& level, const PressureLevel& next, const WindGrid& grid) {
+  const bool wholeX = !grid.periodicX() || level.width == next.width * next.factorX;
+  const bool wholeZ = !grid.periodicZ() || level.height == next.height * next.factorZ;
+  return wholeX && wholeZ;
 }
 
 Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::BufferUse use = gpu::BufferUse::Static,
@@ -93,27 +107,24 @@ Result<GpuPressure> GpuPressure::create(GpuFields& fields, gpu::ShaderLibrary& s
   GpuPressure pressure;
   pressure.m_shaders = &shaders;
   const std::size_t bytes = fields.grid.solid.size() * sizeof(float);
-  for (gpu::Buffer& plane : pressure.m_planes) {
-    if (Status made = make(plane, "wind pressure", bytes); !made) return made.error();
+  for (gpu::Buffer* plane : {&pressure.m_phi, &pressure.m_predicted, &pressure.m_d, &pressure.m_flux}) {
+    if (Status made = make(*plane, "wind pressure", bytes); !made) return made.error();
   }
-  if (Status made = make(pressure.m_flux, "wind flux", bytes); !made) return made.error();
   if (Status made = pressure.rebuild(fields); !made) return made.error();
   return pressure;
 }
 
 Status GpuPressure::rebuild(GpuFields& fields) {
-  std::vector<PressureLevel> levels = buildPressureLevels(fields.grid, kCoarsening, FinestLevel::SizeOnly);
+  std::vector<PressureLevel> levels = buildPressureLevels(fields.grid, FinestLevel::SizeOnly);
   if (levels.size() == 1) {  // one cell: a second level like it keeps the passes the same
     levels = buildPressureLevels(fields.grid);
     levels.push_back(levels.front());
   }
-  WL_REQUIRE(levels.size() <= WIND_COMMAND_FIRST, "levels shrink by four");
+  WL_REQUIRE(levels.size() <= WIND_MAX_LEVELS, "levels shrink by two");
   const std::size_t own = firstOfTail(levels);
   m_levels.clear();
   m_levels.resize(own);
-  for (std::size_t l = 0; l < own; ++l) {
-    m_levels[l].factor = {levels[l + 1].factorX, levels[l + 1].factorZ};
-    if (l == 0) continue;
+  for (std::size_t l = 1; l < own; ++l) {
     if (Status made = makeLevel(m_levels[l], levels[l]); !made) return made;
   }
   if (Status made = makeTail(levels, own); !made) return made;
@@ -124,77 +135,78 @@ Status GpuPressure::rebuild(GpuFields& fields) {
 }
 
 Status GpuPressure::makeLevel(Level& level, const PressureLevel& source) {
-  const std::vector<glm::vec4> faces = packFaces(source);
-  const std::size_t bytes = cellCount(source) * sizeof(float);
-  if (Status made =
-          make(level.faces, "wind level faces", faces.size() * sizeof(glm::vec4), gpu::BufferUse::Static, faces.data());
+  const std::vector<shared::uint> faces = packFaces(source);
+  if (Status made = make(level.faces, "wind level faces", faces.size() * sizeof(shared::uint), gpu::BufferUse::Static,
+                         faces.data());
       !made) {
     return made;
   }
-  if (Status made =
-          make(level.inverse, "wind level diagonal", bytes, gpu::BufferUse::Static, source.inverseDiagonal.data());
-      !made) {
-    return made;
-  }
-  for (gpu::Buffer* buffer : {&level.flux, &level.down, &level.up}) {
-    if (Status made = make(*buffer, "wind level", bytes); !made) return made;
+  for (gpu::Buffer* buffer : {&level.flux, &level.d}) {
+    if (Status made = make(*buffer, "wind level", cellCount(source) * sizeof(float)); !made) return made;
   }
   return Done{};
 }
 
 Status GpuPressure::makeTail(std::span<const PressureLevel> levels, std::size_t first) {
-  std::vector<glm::vec4> faces;
-  std::vector<float> inverse;
+  std::vector<shared::uint> faces;
   for (const PressureLevel& level : levels.subspan(first)) {
-    const std::vector<glm::vec4> own = packFaces(level);
+    const std::vector<shared::uint> own = packFaces(level);
     faces.insert(faces.end(), own.begin(), own.end());
-    inverse.insert(inverse.end(), level.inverseDiagonal.begin(), level.inverseDiagonal.end());
   }
   const std::size_t bytes = cellCount(levels[first]) * sizeof(float);
-  if (Status made =
-          make(m_tailFaces, "wind tail faces", faces.size() * sizeof(glm::vec4), gpu::BufferUse::Static, faces.data());
+  if (Status made = make(m_tail.faces, "wind tail faces", faces.size() * sizeof(shared::uint), gpu::BufferUse::Static,
+                         faces.data());
       !made) {
     return made;
   }
-  if (Status made = make(m_tailInverse, "wind tail diagonals", inverse.size() * sizeof(float), gpu::BufferUse::Static,
-                         inverse.data());
-      !made) {
-    return made;
-  }
-  if (Status made = make(m_tailFlux, "wind tail flux", bytes); !made) return made;
-  if (Status made = make(m_tailUp, "wind tail result", bytes); !made) return made;
+  if (Status made = make(m_tail.flux, "wind tail flux", bytes); !made) return made;
+  if (Status made = make(m_tail.d, "wind tail result", bytes); !made) return made;
   const TailSize size = tailSize(levels, first);
-  const std::size_t strides = (size.residuals + WIND_TAIL_GROUP - 1) / WIND_TAIL_GROUP;
-  m_tailDefines = "TAIL_CELLS=" + std::to_string(size.cells) + " TAIL_RHS=" + std::to_string(size.rhs) +
-                  " TAIL_RESIDUALS=" + std::to_string(size.residuals) + " TAIL_STRIDES=" + std::to_string(strides);
+  std::size_t widest = 0;
+  for (const PressureLevel& level : levels.subspan(first)) widest = std::max(widest, cellCount(level));
+  const std::size_t strides = (widest + WIND_TAIL_GROUP - 1) / WIND_TAIL_GROUP;
+  m_tailDefines = "TAIL_CELLS=" + std::to_string(size.cells) + " TAIL_FIRST=" + std::to_string(size.first) +
+                  " TAIL_NODES=" + std::to_string(size.nodes) + " TAIL_STRIDES=" + std::to_string(strides);
   return Done{};
 }
 
 Status GpuPressure::sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid) {
   std::vector<shared::WindLevel> blocks(WIND_MAX_LEVELS);
-  int cells = 0, rhs = 0, faces = 0;
+  const PressureLevel none;
+  int cells = 0, faces = 0;
   for (std::size_t l = 0; l < levels.size(); ++l) {
     shared::WindLevel& b = blocks[l];
-    const PressureLevel* next = l + 1 < levels.size() ? &levels[l + 1] : nullptr;
+    const PressureLevel& next = l + 1 < levels.size() ? levels[l + 1] : none;
+    const PressureLevel& afterNext = l + 2 < levels.size() ? levels[l + 2] : none;
     b.width = levels[l].width;
     b.height = levels[l].height;
-    b.coarseWidth = next ? next->width : 0;
-    b.coarseHeight = next ? next->height : 0;
-    b.factorX = next ? next->factorX : 1;
-    b.factorZ = next ? next->factorZ : 1;
+    b.coarseWidth = next.width;
+    b.coarseHeight = next.height;
+    b.factorX = next.factorX;
+    b.factorZ = next.factorZ;
     b.xMin = windBorderCode(grid.xMin);
     b.xMax = windBorderCode(grid.xMax);
     b.zMin = windBorderCode(grid.zMin);
     b.zMax = windBorderCode(grid.zMax);
-    b.groupsX = groupsAcross(b.width);
-    b.groupsZ = groupsAcross(b.height);
+    b.scaleX = levels[l].scale.x;
+    b.scaleZ = levels[l].scale.y;
+    b.coarseScaleX = next.scale.x;
+    b.coarseScaleZ = next.scale.y;
+    b.coarseFactorX = afterNext.factorX;
+    b.coarseFactorZ = afterNext.factorZ;
+    b.upGroupsX = groupsAcross(b.width, WIND_INNER);
+    b.upGroupsZ = groupsAcross(b.height, WIND_INNER);
+    b.downGroupsX = groupsAcross(b.coarseWidth, WIND_DOWN_INNER);
+    b.downGroupsZ = groupsAcross(b.coarseHeight, WIND_DOWN_INNER);
     if (l < m_levels.size()) continue;
     b.cells = cells;
     b.faces = faces;
-    b.rhs = l == m_levels.size() ? -1 : rhs;
     cells += b.width * b.height;
     faces += (b.width + 1) * (b.height + 1);
-    if (b.rhs >= 0) rhs += b.width * b.height;
+  }
+  for (std::size_t l = 0; l + 1 < m_levels.size(); ++l) {
+    const bool second = l > 0 && blocks[l - 1].pair != 0;
+    blocks[l].pair = !second && makesPair(levels[l], levels[l + 1], grid) ? 1 : 0;
   }
   std::vector<char> spread(kBlockStride * m_levels.size());
   for (std::size_t l = 0; l < m_levels.size(); ++l) {
@@ -215,15 +227,14 @@ Status GpuPressure::loadPrograms() {
     failure.problems.insert(failure.problems.end(), program.error().problems.begin(), program.error().problems.end());
     return nullptr;
   };
-  for (std::size_t l = 0; l < m_levels.size(); ++l) {
-    Level& level = m_levels[l];
-    level.downward = load(pressureProgram(l == 0 ? "again" : "down", level.factor));
-    level.upward = load(pressureProgram(l == 0 ? "top" : "up", level.factor));
-  }
-  m_first = load(pressureProgram("first", m_levels[0].factor));
+  m_first = load(windProgram("wind/pressure first"));
+  m_again = load(windProgram("wind/pressure again"));
+  m_down = load(windProgram("wind/pressure down"));
+  m_up = load(windProgram("wind/pressure up"));
+  m_top = load(windProgram("wind/pressure top"));
   gpu::ProgramSpec tail = windProgram("wind/pressure tail");
   tail.defines = m_tailDefines;
-  m_tail = load(tail);
+  m_runTail = load(tail);
   m_jacobiFirst = load(windProgram("wind/jacobi first"));
   m_jacobi = load(windProgram("wind/jacobi"));
   m_project = load(windProgram("wind/project"));
@@ -233,106 +244,101 @@ Status GpuPressure::loadPrograms() {
 }
 
 const gpu::Buffer& GpuPressure::fluxOf(std::size_t level) const {
-  return level == 0 ? m_flux : level == m_levels.size() ? m_tailFlux : m_levels[level].flux;
+  return level == 0 ? m_flux : at(level).flux;
 }
-const gpu::Buffer& GpuPressure::downOf(std::size_t level) const {
-  return level == 0 ? m_planes[m_down] : m_levels[level].down;
+const gpu::Buffer& GpuPressure::resultOf(std::size_t level) const {
+  return level == 0 ? m_d : at(level).d;
 }
-const gpu::Buffer& GpuPressure::upOf(std::size_t level) const {
-  return level == 0 ? m_planes[m_up] : level == m_levels.size() ? m_tailUp : m_levels[level].up;
-}
-const gpu::Buffer& GpuPressure::facesOf(std::size_t level) const {
-  return level == m_levels.size() ? m_tailFaces : m_levels[level].faces;
+const GpuPressure::Level& GpuPressure::at(std::size_t level) const {
+  return level < m_levels.size() ? m_levels[level] : m_tail;
 }
 
 void GpuPressure::bindLevel(std::size_t level) const {
   m_levelBlocks.bindUniformRange(WIND_UBO_LEVEL, level * kBlockStride, sizeof(shared::WindLevel));
   fluxOf(level).bindStorage(WIND_SSBO_FLUX);
-  if (level == 0) return;
-  m_levels[level].faces.bindStorage(WIND_SSBO_FACES);
-  m_levels[level].inverse.bindStorage(WIND_SSBO_INVERSE);
+  if (level > 0) at(level).faces.bindStorage(WIND_SSBO_FACES);
+  at(level + 1).faces.bindStorage(WIND_SSBO_COARSE_FACES);
 }
 
-void GpuPressure::goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control) {
+/// The level's way down, and the next one's where they make a pair; the level that comes after. Without `control` it
+/// runs whatever the solve has reached.
+std::size_t GpuPressure::goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control) {
+  const shared::WindLevel& block = m_levels[level].block;
   afterLastPass();
   bindLevel(level);
-  upOf(level).bindStorage(WIND_SSBO_D_IN);  // level 0 after the first cycle; others begin from 0
-  downOf(level).bindStorage(WIND_SSBO_D_OUT);
+  m_d.bindStorage(WIND_SSBO_D_IN);  // the last cycle's, which the next one begins with on level 0
   fluxOf(level + 1).bindStorage(WIND_SSBO_COARSE);
-  const shared::WindLevel& block = m_levels[level].block;
+  if (block.pair != 0) fluxOf(level + 2).bindStorage(WIND_SSBO_COARSER);
   if (control == nullptr) {
-    program.dispatch(block.groupsX, block.groupsZ);
+    program.dispatch(block.downGroupsX, block.downGroupsZ);
   } else {
-    program.dispatchIndirect(*control, commandOffset(level));
+    program.dispatchIndirect(*control, commandOffset(WIND_COMMAND_DOWN + level));
   }
+  return level + (block.pair != 0 ? 2 : 1);
 }
 
 void GpuPressure::goUp(std::size_t level, const gpu::Buffer& control) {
   afterLastPass();
   bindLevel(level);
-  downOf(level).bindStorage(WIND_SSBO_D_IN);
-  upOf(level).bindStorage(WIND_SSBO_D_OUT);
-  upOf(level + 1).bindStorage(WIND_SSBO_COARSE);
-  facesOf(level + 1).bindStorage(WIND_SSBO_COARSE_FACES);
-  m_levels[level].upward->dispatchIndirect(control, commandOffset(level));
+  resultOf(level).bindStorage(WIND_SSBO_D_OUT);
+  resultOf(level + 1).bindStorage(WIND_SSBO_COARSE);
+  (level == 0 ? m_top : m_up)->dispatchIndirect(control, commandOffset(WIND_COMMAND_UP + level));
 }
 
 void GpuPressure::runTail(const gpu::Buffer& control) {
   afterLastPass();
-  m_tailFaces.bindStorage(WIND_SSBO_FACES);
-  m_tailInverse.bindStorage(WIND_SSBO_INVERSE);
-  m_tailFlux.bindStorage(WIND_SSBO_FLUX);
-  m_tailUp.bindStorage(WIND_SSBO_D_OUT);
-  m_tail->dispatchIndirect(control, commandOffset(WIND_COMMAND_TAIL));
+  m_tail.faces.bindStorage(WIND_SSBO_FACES);
+  m_tail.flux.bindStorage(WIND_SSBO_FLUX);
+  m_tail.d.bindStorage(WIND_SSBO_D_OUT);
+  m_runTail->dispatchIndirect(control, commandOffset(WIND_COMMAND_TAIL));
 }
 
 void GpuPressure::solveMultigrid(const GpuFields& fields, int cycles) {
-  startWith(*m_first, fields.control);
+  const gpu::Buffer& control = fields.control;
+  std::size_t next = goDown(0, *m_first, nullptr);
+  afterLastPass();
+  m_first->dispatchIndirect(control, commandOffset(WIND_COMMAND_FIRST));  // where the expected pressure is of no use
   for (int cycle = 0; cycle < cycles; ++cycle) {
-    if (cycle > 0) goDown(0, *m_levels[0].downward, &fields.control);
-    for (std::size_t l = 1; l < m_levels.size(); ++l) goDown(l, *m_levels[l].downward, &fields.control);
-    runTail(fields.control);
-    for (std::size_t l = m_levels.size(); l-- > 0;) goUp(l, fields.control);
+    if (cycle > 0) next = goDown(0, *m_again, &control);
+    while (next < m_levels.size()) next = goDown(next, *m_down, &control);
+    runTail(control);
+    for (std::size_t l = m_levels.size(); l-- > 0;) goUp(l, control);
   }
 }
 
-/// The first pass, and a second time for steps in which the last one's pressure is of no use.
-void GpuPressure::startWith(const gpu::Program& first, const gpu::Buffer& control) {
-  goDown(0, first, nullptr);
-  afterLastPass();
-  first.dispatchIndirect(control, commandOffset(WIND_COMMAND_FIRST));
-}
-
-void GpuPressure::solveJacobi(const GpuFields& fields, int sweeps) {
-  int left = std::max(sweeps, 1);
-  for (bool first = true; left > 0; first = false) {
-    const gpu::Program& program = first ? *m_jacobiFirst : *m_jacobi;
-    const int now = std::min(left, WIND_HALO);
-    program.set("sweepCount", now);
-    if (first) {
-      startWith(program, fields.control);
-    } else {
-      goDown(0, program, nullptr);
-    }
-    std::swap(m_down, m_up);  // what was written is what the next one reads
-    left -= now;
+void GpuPressure::solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps) {
+  // The result must end up in m_d; rounds of sweeps take turns between it and a buffer that is free.
+  const int rounds = std::max((sweeps + WIND_HALO - 1) / WIND_HALO, 1);
+  const glm::ivec2 groups(m_levels[0].block.upGroupsX, m_levels[0].block.upGroupsZ);
+  bindLevel(0);
+  for (int round = 0; round < rounds; ++round) {
+    const gpu::Program& program = round == 0 ? *m_jacobiFirst : *m_jacobi;
+    const bool last = (rounds - 1 - round) % 2 == 0;
+    program.set("sweepCount", std::clamp(sweeps - round * WIND_HALO, 1, WIND_HALO));
+    afterLastPass();
+    (last ? spare : m_d).bindStorage(WIND_SSBO_D_IN);
+    (last ? m_d : spare).bindStorage(WIND_SSBO_D_OUT);
+    program.dispatch(groups.x, groups.y);
+    if (round > 0) continue;
+    afterLastPass();
+    program.dispatchIndirect(fields.control, commandOffset(WIND_COMMAND_FIRST));
   }
 }
 
 void GpuPressure::solve(const GpuFields& fields, const gpu::Buffer& star, int cycles) {
   m_allLevels.bindUniform(WIND_UBO_LEVELS);
   star.bindStorage(WIND_SSBO_VELOCITY);
-  m_planes[m_phi].bindStorage(WIND_SSBO_PHI);
+  m_predicted.bindStorage(WIND_SSBO_PREDICTED);
   fields.control.bindStorage(WIND_SSBO_CONTROL);
-  bindScratch(fields, star);
+  const gpu::Buffer& spare = bindScratch(fields, star);
   if (fields.solver.pressure == Pressure::Jacobi) {
-    solveJacobi(fields, fields.solver.jacobiSweeps);
+    solveJacobi(fields, spare, fields.solver.jacobiSweeps);
   } else {
     solveMultigrid(fields, cycles);
   }
 }
 
-void GpuPressure::bindScratch(const GpuFields& fields, const gpu::Buffer& star) {
+const gpu::Buffer& GpuPressure::bindScratch(const GpuFields& fields, const gpu::Buffer& star) {
   // Nothing needs the velocity of the last step any more, nor what only the advection used: each has room for two
   // planes.
   const gpu::Buffer* free[] = {&fields.carried, &fields.first, &fields.moved};
@@ -342,6 +348,7 @@ void GpuPressure::bindScratch(const GpuFields& fields, const gpu::Buffer& star) 
   free[0]->bindStorage(WIND_SSBO_JOINED);
   free[1]->bindStorage(WIND_SSBO_APPLIED);
   fields.velocity.bindStorage(WIND_SSBO_LAST_APPLIED);
+  return *free[0];
 }
 
 void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, const gpu::Buffer& result) {
@@ -349,22 +356,23 @@ void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, cons
   bindScratch(fields, star);
   star.bindStorage(WIND_SSBO_VELOCITY);
   result.bindStorage(WIND_SSBO_RESULT);
-  m_planes[m_phi].bindStorage(WIND_SSBO_PHI);
-  m_planes[m_up].bindStorage(WIND_SSBO_D_IN);
-  m_planes[m_down].bindStorage(WIND_SSBO_D_OUT);
+  m_predicted.bindStorage(WIND_SSBO_PREDICTED);
+  m_phi.bindStorage(WIND_SSBO_PHI);
+  m_d.bindStorage(WIND_SSBO_D_IN);
+  m_flux.bindStorage(WIND_SSBO_D_OUT);  // no longer needed: takes what the next step's pressure is expected to be
   fields.control.bindStorage(WIND_SSBO_CONTROL);
   fields.cells.bindImage(WIND_IMAGE_CELLS, GL_WRITE_ONLY);
   const gpu::Program* program = fields.solver.pressure == Pressure::Jacobi ? m_projectJacobi : m_project;
-  program->dispatchOver({fields.width(), fields.height()});
-  std::swap(m_phi, m_down);  // phi + d was written there
+  program->dispatchOver({fields.width(), (fields.height() + WIND_PROJECT_STRIP - 1) / WIND_PROJECT_STRIP});
+  std::swap(m_predicted, m_flux);
 }
 
 std::size_t GpuPressure::memoryBytes() const {
-  std::size_t sum = m_flux.bytes() + m_levelBlocks.bytes() + m_allLevels.bytes() + m_tailFaces.bytes() +
-                    m_tailInverse.bytes() + m_tailFlux.bytes() + m_tailUp.bytes();
-  for (const gpu::Buffer& plane : m_planes) sum += plane.bytes();
+  std::size_t sum = m_levelBlocks.bytes() + m_allLevels.bytes();
+  for (const gpu::Buffer* b : {&m_phi, &m_predicted, &m_d, &m_flux, &m_tail.faces, &m_tail.flux, &m_tail.d})
+    sum += b->bytes();
   for (const Level& level : m_levels) {
-    for (const gpu::Buffer* b : {&level.faces, &level.inverse, &level.flux, &level.down, &level.up}) sum += b->bytes();
+    for (const gpu::Buffer* b : {&level.faces, &level.flux, &level.d}) sum += b->bytes();
   }
   return sum;
 }

@@ -1,6 +1,5 @@
 #pragma once
-// The pressure solve of the GPU backend: multigrid or plain Jacobi sweeps. docs/solver.md section 6, with the levels
-// and sweeps of shaders/shared/wind_gpu_constants.h.
+// The pressure solve of the GPU backend: multigrid or plain Jacobi sweeps. docs/solver.md section 6.
 
 #include <span>
 #include <string>
@@ -21,54 +20,47 @@ class GpuPressure {
   /// Makes the levels again after the solids changed.
   Status rebuild(GpuFields& fields);
 
-  /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from the last step's pressure.
-  /// The GPU skips cycles once it has converged.
+  /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from what the steps before make
+  /// one expect. The GPU skips cycles once it has converged.
   void solve(const GpuFields& fields, const gpu::Buffer& star, int cycles);
 
-  /// u = q* - grad phi - grad d into `result` with ghosts, phi += d, cell velocities and the numbers of the step.
+  /// u = q* - gradient of the pressure into `result` with ghosts, cell velocities and the numbers of the step.
   void project(const GpuFields& fields, const gpu::Buffer& star, const gpu::Buffer& result);
-
-  /// Forgets the last step's pressure.
-  void reset() { m_planes[m_phi].clear(); }
 
   [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
   struct Level {
     shared::WindLevel block{};
-    glm::ivec2 factor{1};                    // to the next level
-    gpu::Buffer faces, inverse, flux;        // not on level 0; flux: the right-hand side
-    gpu::Buffer down, up;                    // d after the way down and after the way up; not on level 0
-    const gpu::Program* downward = nullptr;  // on level 0 of the cycles after the first
-    const gpu::Program* upward = nullptr;
+    gpu::Buffer faces, flux, d;  // not on level 0; flux: the right-hand side
   };
   Status makeLevel(Level& level, const PressureLevel& source);
   Status makeTail(std::span<const PressureLevel> levels, std::size_t first);
   Status sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid);
   Status loadPrograms();
   void solveMultigrid(const GpuFields& fields, int cycles);
-  void solveJacobi(const GpuFields& fields, int sweeps);
-  void startWith(const gpu::Program& first, const gpu::Buffer& control);
-  void goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control);
+  void solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps);
+  std::size_t goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control);
   void goUp(std::size_t level, const gpu::Buffer& control);
   void runTail(const gpu::Buffer& control);
   void bindLevel(std::size_t level) const;
-  static void bindScratch(const GpuFields& fields, const gpu::Buffer& star);
+  static const gpu::Buffer& bindScratch(const GpuFields& fields, const gpu::Buffer& star);
   [[nodiscard]] const gpu::Buffer& fluxOf(std::size_t level) const;
-  [[nodiscard]] const gpu::Buffer& downOf(std::size_t level) const;
-  [[nodiscard]] const gpu::Buffer& upOf(std::size_t level) const;
-  [[nodiscard]] const gpu::Buffer& facesOf(std::size_t level) const;
+  [[nodiscard]] const gpu::Buffer& resultOf(std::size_t level) const;
+  [[nodiscard]] const Level& at(std::size_t level) const;
 
   gpu::ShaderLibrary* m_shaders = nullptr;
   std::vector<Level> m_levels;  // with passes of their own; those after them make the tail
+  Level m_tail;                 // its first level; faces: of all its levels
   gpu::Buffer m_levelBlocks;    // one every 256 bytes
   gpu::Buffer m_allLevels;      // one after the other
-  gpu::Buffer m_tailFaces, m_tailInverse, m_tailFlux, m_tailUp;
   std::string m_tailDefines;
-  gpu::Buffer m_planes[3];  // phi, d after the way down and d after the way up of level 0 take turns in these
+  gpu::Buffer m_phi;        // the last step's pressure
+  gpu::Buffer m_predicted;  // what this step's is expected to be
+  gpu::Buffer m_d;          // level 0: what the cycle found
   gpu::Buffer m_flux;       // residual of level 0 in even cycles
-  std::size_t m_phi = 0, m_down = 1, m_up = 2;
-  const gpu::Program *m_first = nullptr, *m_tail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
+  const gpu::Program *m_first = nullptr, *m_again = nullptr, *m_down = nullptr, *m_up = nullptr, *m_top = nullptr;
+  const gpu::Program *m_runTail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
   const gpu::Program *m_project = nullptr, *m_projectJacobi = nullptr;
 };
 

@@ -8,13 +8,6 @@ namespace windloom {
 namespace {
 
 // clang-format off
-#define WIND_PRESSURE_VARIANTS(X, Z) \
-  {"wind/pressure first " #X "x" #Z, {"wind/pressure_down.comp"}, "FIRST FACTOR_X=" #X " FACTOR_Z=" #Z}, \
-  {"wind/pressure again " #X "x" #Z, {"wind/pressure_down.comp"}, "AGAIN FACTOR_X=" #X " FACTOR_Z=" #Z}, \
-  {"wind/pressure down " #X "x" #Z, {"wind/pressure_down.comp"}, "FACTOR_X=" #X " FACTOR_Z=" #Z}, \
-  {"wind/pressure up " #X "x" #Z, {"wind/pressure_up.comp"}, "FACTOR_X=" #X " FACTOR_Z=" #Z}, \
-  {"wind/pressure top " #X "x" #Z, {"wind/pressure_up.comp"}, "LEVEL0 FACTOR_X=" #X " FACTOR_Z=" #Z}
-
 constexpr gpu::ProgramSpec kPrograms[] = {
     {"wind/fill", {"wind/fill.comp"}},
     {"wind/forces", {"wind/forces.comp"}},
@@ -25,18 +18,14 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"wind/viscosity start", {"wind/viscosity.comp"}, "START"},
     {"wind/viscosity", {"wind/viscosity.comp"}},
     {"wind/viscosity and settle", {"wind/viscosity.comp"}, "SETTLE"},
-    WIND_PRESSURE_VARIANTS(4, 4),
-    WIND_PRESSURE_VARIANTS(4, 2),
-    WIND_PRESSURE_VARIANTS(2, 4),
-    WIND_PRESSURE_VARIANTS(4, 1),
-    WIND_PRESSURE_VARIANTS(1, 4),
-    WIND_PRESSURE_VARIANTS(2, 2),
-    WIND_PRESSURE_VARIANTS(2, 1),
-    WIND_PRESSURE_VARIANTS(1, 2),
-    WIND_PRESSURE_VARIANTS(1, 1),
-    {"wind/pressure tail", {"wind/pressure_tail.comp"}, "TAIL_CELLS=1360 TAIL_RHS=336 TAIL_RESIDUALS=1024 TAIL_STRIDES=1"},
-    {"wind/jacobi first", {"wind/pressure_down.comp"}, "FIRST JACOBI"},
-    {"wind/jacobi", {"wind/pressure_down.comp"}, "JACOBI"},
+    {"wind/pressure first", {"wind/pressure_down.comp"}, "FIRST"},
+    {"wind/pressure again", {"wind/pressure_down.comp"}, "AGAIN"},
+    {"wind/pressure down", {"wind/pressure_down.comp"}},
+    {"wind/pressure tail", {"wind/pressure_tail.comp"}, "TAIL_CELLS=1360 TAIL_FIRST=1024 TAIL_NODES=1500 TAIL_STRIDES=1"},
+    {"wind/pressure up", {"wind/pressure_up.comp"}},
+    {"wind/pressure top", {"wind/pressure_up.comp"}, "LEVEL0"},
+    {"wind/jacobi first", {"wind/jacobi.comp"}, "FIRST"},
+    {"wind/jacobi", {"wind/jacobi.comp"}},
     {"wind/project", {"wind/project.comp"}},
     {"wind/project jacobi", {"wind/project.comp"}, "JACOBI"},
     {"wind/resample", {"wind/project.comp"}, "RESAMPLE_ONLY"},
@@ -54,11 +43,6 @@ const gpu::ProgramSpec& windProgram(std::string_view name) {
                                    [&](const gpu::ProgramSpec& spec) { return spec.name == name; });
   WL_REQUIRE(found != std::end(kPrograms), "the table of wind programs holds every variant in use");
   return *found;
-}
-
-const gpu::ProgramSpec& pressureProgram(std::string_view pass, glm::ivec2 factor) {
-  return windProgram("wind/pressure " + std::string(pass) + " " + std::to_string(factor.x) + "x" +
-                     std::to_string(factor.y));
 }
 
 }  // namespace windloom

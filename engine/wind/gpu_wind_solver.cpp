@@ -183,8 +183,7 @@ void GpuWindSolver::startFrom(const std::vector<float>& faces) {
       gpu::Buffer::create("wind carried", faces.size() * sizeof(float), gpu::BufferUse::Static, faces.data());
   WL_REQUIRE(filled.ok(), "a buffer that was there before is there again");
   m_fields.carried = std::move(*filled);
-  clearControl();
-  m_pressure.reset();
+  clearControl();  // also: no pressure of an earlier step
   m_fields.sendBlock();
   m_transport.fill(m_fields);
   resample();

@@ -93,12 +93,12 @@ PressureLevel levelOf(const Geometry& g, const WindGrid& grid, glm::ivec2 factor
   level.cz.assign(g.openZ.size(), 0);
   level.shareZ.assign(g.openZ.size(), 0);
   std::vector<double> diagonal(static_cast<Index>(g.width) * static_cast<Index>(g.height), 0);
-  level.ground.assign(diagonal.size(), 0);
+  level.groundX.assign(2 * static_cast<Index>(g.height), 0);
+  level.groundZ.assign(2 * static_cast<Index>(g.width), 0);
+  level.scale = glm::vec2(g.cellSize.y / g.cellSize.x, g.cellSize.x / g.cellSize.y);
   const auto add = [&](const Link& link, int lowCell, int highCell) {  // cells by index, -1 outside
     if (lowCell >= 0) diagonal[static_cast<Index>(lowCell)] += link.between + link.groundLow;
     if (highCell >= 0) diagonal[static_cast<Index>(highCell)] += link.between + link.groundHigh;
-    if (lowCell >= 0) level.ground[static_cast<Index>(lowCell)] += static_cast<float>(link.groundLow);
-    if (highCell >= 0) level.ground[static_cast<Index>(highCell)] += static_cast<float>(link.groundHigh);
   };
   for (int k = 0; k < g.height; ++k) {
     for (int i = 0; i <= g.width; ++i) {
@@ -106,6 +106,8 @@ PressureLevel levelOf(const Geometry& g, const WindGrid& grid, glm::ivec2 factor
       const Link link = linkOf(g.openX[f], i, g.columns, grid.xMin, grid.xMax);
       level.cx[f] = static_cast<float>(link.between);
       level.shareX[f] = static_cast<float>(g.openX[f] / g.rows[static_cast<Index>(k)]);
+      if (i == 0) level.groundX[2 * static_cast<Index>(k)] = static_cast<float>(link.groundHigh);
+      if (i == g.width) level.groundX[2 * static_cast<Index>(k) + 1] = static_cast<float>(link.groundLow);
       add(link, i > 0 ? k * g.width + i - 1 : -1, i < g.width ? k * g.width + i : -1);
     }
   }
@@ -115,6 +117,8 @@ PressureLevel levelOf(const Geometry& g, const WindGrid& grid, glm::ivec2 factor
       const Link link = linkOf(g.openZ[f], k, g.rows, grid.zMin, grid.zMax);
       level.cz[f] = static_cast<float>(link.between);
       level.shareZ[f] = static_cast<float>(g.openZ[f] / g.columns[static_cast<Index>(i)]);
+      if (k == 0) level.groundZ[2 * static_cast<Index>(i)] = static_cast<float>(link.groundHigh);
+      if (k == g.height) level.groundZ[2 * static_cast<Index>(i) + 1] = static_cast<float>(link.groundLow);
       add(link, k > 0 ? (k - 1) * g.width + i : -1, k < g.height ? k * g.width + i : -1);
     }
   }
@@ -124,24 +128,16 @@ PressureLevel levelOf(const Geometry& g, const WindGrid& grid, glm::ivec2 factor
   return level;
 }
 
-}  // namespace
-
+/// By how much a level of this many cells of this nominal size is coarsened; (1, 1) for a single cell.
 glm::ivec2 coarseningOf(glm::ivec2 cells, glm::dvec2 cellSizeM) {
   constexpr double kSimilar = 1.5;  // beyond this the smoother damps only the direction of the short cell size
   return {cells.x > 1 && (cells.y == 1 || cellSizeM.x <= kSimilar * cellSizeM.y) ? 2 : 1,
           cells.y > 1 && (cells.x == 1 || cellSizeM.y <= kSimilar * cellSizeM.x) ? 2 : 1};
 }
 
-glm::ivec2 coarseningByFour(glm::ivec2 cells, glm::dvec2 cellSizeM) {
-  // The factor of an axis whose cells are `ratio` times as long as the other's; between the powers of two the nearer.
-  const auto factor = [](double ratio) { return ratio < 1.4143 ? 4 : ratio < 2.8285 ? 2 : 1; };
-  glm::ivec2 result(factor(cellSizeM.x / cellSizeM.y), factor(cellSizeM.y / cellSizeM.x));
-  if (cells.y == 1) result = {4, 1};
-  if (cells.x == 1) result = {1, cells.y == 1 ? 1 : 4};
-  return result;
-}
+}  // namespace
 
-std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, CoarseningRule rule, FinestLevel finest) {
+std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, FinestLevel finest) {
   std::vector<PressureLevel> levels;
   Geometry geometry = fineGeometry(grid);
   if (finest == FinestLevel::Full) {
@@ -150,9 +146,10 @@ std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, CoarseningR
     levels.emplace_back();
     levels.back().width = geometry.width;
     levels.back().height = geometry.height;
+    levels.back().scale = glm::vec2(geometry.cellSize.y / geometry.cellSize.x, geometry.cellSize.x / geometry.cellSize.y);
   }
   for (;;) {
-    const glm::ivec2 factor = rule({geometry.width, geometry.height}, geometry.cellSize);
+    const glm::ivec2 factor = coarseningOf({geometry.width, geometry.height}, geometry.cellSize);
     if (factor == glm::ivec2(1)) return levels;
     geometry = coarsen(geometry, factor);
     levels.push_back(levelOf(geometry, grid, factor));

@@ -14,24 +14,15 @@ struct PressureLevel {
   int factorX = 1, factorZ = 1;        ///< how many cells of the finer level one cell covers (level 0: 1)
   std::vector<float> cx, cz;           ///< conductances of the faces between cells; 0 on borders that aren't periodic
   std::vector<float> shareX, shareZ;   ///< open part of each face, 0..1
-  std::vector<float> ground;           ///< conductance of each cell to p = 0 behind open borders
+  std::vector<float> groundX, groundZ; ///< conductances to p = 0 behind open borders: of row k at its low end in [2 k],
+                                       ///< at its high end in [2 k + 1]; of columns likewise
+  glm::vec2 scale{1};                  ///< conductance of a whole face between whole cells of this level, x and z
   std::vector<float> inverseDiagonal;  ///< 1 / (sum of the cell's conductances and ground), 0 where that is 0
 };
-
-/// The factors (x, z) by which a level of this many cells of this nominal size is coarsened; (1, 1) for a single cell.
-using CoarseningRule = glm::ivec2 (*)(glm::ivec2 cells, glm::dvec2 cellSizeM);
-
-/// By two (docs/solver.md section 6): the rule of the CPU backend.
-glm::ivec2 coarseningOf(glm::ivec2 cells, glm::dvec2 cellSizeM);
-
-/// By four, and the axis of the longer cells by two or one until they are square: the rule of the GPU backend, where a
-/// level costs more than a sweep.
-glm::ivec2 coarseningByFour(glm::ivec2 cells, glm::dvec2 cellSizeM);
 
 enum class FinestLevel { Full, SizeOnly };  ///< SizeOnly: the arrays of level 0 stay empty
 
 /// Level 0 is the grid itself, the last one has a single cell.
-std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, CoarseningRule rule = coarseningOf,
-                                               FinestLevel finest = FinestLevel::Full);
+std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, FinestLevel finest = FinestLevel::Full);
 
 }  // namespace windloom

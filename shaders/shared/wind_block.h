@@ -47,18 +47,19 @@ WL_SHARED_BEGIN
 #define WIND_SSBO_CONTROL 7
 
 // Storage buffers of the pressure passes.
-#define WIND_SSBO_PHI 1
+#define WIND_SSBO_PHI 1            // the last step's
 #define WIND_SSBO_D_IN 2
 #define WIND_SSBO_D_OUT 4
 #define WIND_SSBO_FLUX 5
 #define WIND_SSBO_FACES 6
 #define WIND_SSBO_COARSE 8
 #define WIND_SSBO_COARSE_FACES 9
-#define WIND_SSBO_INVERSE 10
+#define WIND_SSBO_COARSER 10       // two levels down
 #define WIND_SSBO_SUMS 11
 #define WIND_SSBO_APPLIED 12       // A z, then the residual of odd cycles
 #define WIND_SSBO_LAST_APPLIED 13  // A p of this cycle and the last, taking turns
 #define WIND_SSBO_JOINED 14        // p, then the solution
+#define WIND_SSBO_PREDICTED 15     // what phi of this step was expected to be
 
 struct WindBlock {
   int width, height;   // cells
@@ -91,20 +92,27 @@ struct WindBlock {
   WindGustLayer gustLayers[WIND_GUST_LAYERS];
 };
 
-// Indirect dispatches that belong to no level.
-#define WIND_COMMAND_FIRST (WIND_MAX_LEVELS - 2)  // the first pass of the solve once more
-#define WIND_COMMAND_TAIL (WIND_MAX_LEVELS - 1)
+// Indirect dispatches of the pressure solve.
+#define WIND_COMMAND_DOWN 0                     // + level
+#define WIND_COMMAND_UP WIND_MAX_LEVELS         // + level
+#define WIND_COMMAND_TAIL (2 * WIND_MAX_LEVELS)
+#define WIND_COMMAND_FIRST (WIND_COMMAND_TAIL + 1)  // the first pass of the solve once more
+#define WIND_COMMANDS (WIND_COMMAND_TAIL + 2)
 
 // One level of the pressure solve (std140).
 struct WindLevel {
   int width, height;              // cells
   int coarseWidth, coarseHeight;  // of the next level; 0 on the last
+  int factorX, factorZ;           // cells of this level in one of the next: 1 or 2
   int xMin, xMax, zMin, zMax;     // WIND_BORDER_*
-  int cells;                      // tail: where its cells begin in shared memory and in the inverse diagonals
-  int rhs;                        // tail: where its right-hand side begins in shared memory; -1: in registers
-  int faces;                      // tail: where its faces begin
-  int factorX, factorZ;           // cells of this level in one of the next
-  int groupsX, groupsZ;           // work-groups of its passes
+  float scaleX, scaleZ;           // conductance of a whole face between whole cells
+  float coarseScaleX, coarseScaleZ;
+  int coarseFactorX, coarseFactorZ;  // of the next level
+  int pair;                       // 1: its way down takes the next level along
+  int upGroupsX, upGroupsZ;       // work-groups of its passes
+  int downGroupsX, downGroupsZ;
+  int cells;                      // tail: where its cells begin in shared memory
+  int faces;                      // tail: where its nodes begin in the buffer of faces
   int padding;
 };
 
@@ -124,9 +132,9 @@ struct WindControl {
   float crossing;                 // cells a step
   float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
   float size;                     // A p . A p
-  uint dropped;                   // 1: the last step's pressure was of no use in this one
+  uint history;                   // 0: the last step's pressure is of no use in this one
   uint paddingA, paddingB;
-  uint groups[WIND_MAX_LEVELS * 4];  // indirect dispatches: x, y, z of each level and of the two commands below
+  uint groups[WIND_COMMANDS * 4]; // indirect dispatches: x, y, z of each command
 };
 
 WL_SHARED_END
@@ -136,7 +144,7 @@ static_assert(sizeof(windloom::shared::WindBlock) == 160 + 96, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, minCorner) == 32, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, ambient) == 48, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, gustLayers) == 160, "std140 layout");
-static_assert(sizeof(windloom::shared::WindLevel) == 64, "std140 layout");
+static_assert(sizeof(windloom::shared::WindLevel) == 96, "std140 layout");
 static_assert(offsetof(windloom::shared::WindControl, groups) == 80, "std430 layout");
 #endif
 #endif

@@ -13,9 +13,10 @@
 #define WIND_ROUNDING_FLOOR 1e-6f    // residual that single precision can't see past, part of RMS speed times cell size
 #define WIND_VISCOSITY_SWEEPS 64     // most Chebyshev sweeps of the implicit viscosity
 
-// Weights of the pressure smoother: 1 / (1.25 + 0.75 cos(pi (2 m + 1) / 6)), m = 0, 1, 2.
-#define WIND_SMOOTH_0 0.52644905f
-#define WIND_SMOOTH_1 0.8f
-#define WIND_SMOOTH_2 1.66533177f
+// The smoother of the pressure solve: one sweep of this weight before a coarser level, WIND_SWEEPS_UP after it with the
+// reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2] as weights.
+#define WIND_SMOOTH_DOWN 0.8f
+#define WIND_SWEEPS_UP 5
+#define WIND_SMOOTH_FROM 0.3f
 
 #endif

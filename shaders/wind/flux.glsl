@@ -1,5 +1,5 @@
-// The right-hand side of the pressure solve, on level 0: what flows out of the cells once the last step's pressure is
-// taken off the velocity. docs/solver.md section 6, points 1 to 3. Needs region.glsl and a coherent buffer `control`.
+// The right-hand side of the pressure solve, on level 0: what flows out of the cells once the pressure that is expected
+// is taken off the velocity. docs/solver.md section 6, points 1 to 3. Needs region.glsl and a buffer `control`.
 #define SUM_COUNT 3
 #define SUM_ADDED 3
 #include "shaders/wind/sums.glsl"
@@ -7,15 +7,16 @@
 #include "shaders/wind/gradient.glsl"
 
 layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]; };
-layout(std430, binding = WIND_SSBO_PHI) readonly buffer Phi { float phi[]; };
+layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
 layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; };
 
-// b of the strip from the velocity without the last step's pressure; adds up f0^2, b^2 and speed^2.
+// b of the strip from the velocity without the expected pressure; adds up f0^2, b^2 and speed^2.
 void loadFlux(inout float sums[SUM_COUNT]) {
+  bool kept = control.history != 0u;
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
     loadStencil(n, place);
-    cells[n].d = place.x >= 0 && control.dropped == 0u ? phi[levelCell(place)] : 0.0;
+    cells[n].d = place.x >= 0 && kept ? predicted[levelCell(place)] : 0.0;
   }
   findIrregular();
   publish();
@@ -44,7 +45,7 @@ void loadFlux(inout float sums[SUM_COUNT]) {
   barrier();
 }
 
-// Where the last step's pressure makes the flux larger it is dropped, and this pass runs a second time without it.
+// Where the expected pressure makes the flux larger it is dropped, and this pass runs a second time without it.
 void startSolve(float total[SUM_COUNT]) {
   control.fluxBefore = total[0] * wind.perAir;
   control.fluxStart = total[1] * wind.perAir;
@@ -53,9 +54,9 @@ void startSolve(float total[SUM_COUNT]) {
   float speedSquare = total[2] * wind.perCell;
   control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
   control.cycles = 0u;
-  bool useless = control.dropped == 0u && !(control.fluxStart <= control.fluxBefore);
+  bool useless = control.history != 0u && !(control.fluxStart <= control.fluxBefore);
   bool run = !useless && control.fluxStart > control.wanted;
-  control.dropped = useless ? 1u : control.dropped;
+  if (useless) control.history = 0u;
   control.converged = run || useless ? 0u : 1u;
   setDispatches(run, useless);
 }

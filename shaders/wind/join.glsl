@@ -11,6 +11,7 @@ layout(std430, binding = WIND_SSBO_JOINED) buffer Joined { float joined[]; };
 
 void loadJoined() {
   uint done = control.cycles;
+  float alpha = control.alpha, beta = control.beta;
   bool more = done > 1u;  // there was a p before this one
   int plane = planeSize(), from = halfOf(done - 1u), to = halfOf(done);
   for (int n = 0; n < WIND_STRIP; ++n) {
@@ -19,8 +20,8 @@ void loadJoined() {
     cells[n].b = 0.0;
     if (place.x < 0) continue;
     int cell = levelCell(place);
-    float ap = applied[cell] - (more ? control.beta * lastApplied[from + cell] : 0.0);
-    float left = residualOf(done - 1u, cell) - control.alpha * ap;
+    float ap = applied[cell] - (more ? beta * lastApplied[from + cell] : 0.0);
+    float left = residualOf(done - 1u, cell) - alpha * ap;
     cells[n].b = left;
     if (!isInner(n)) continue;
     if ((done & 1u) == 0u) {
@@ -29,8 +30,8 @@ void loadJoined() {
       applied[plane + cell] = left;
     }
     lastApplied[to + cell] = ap;
-    float p = z[cell] - (more ? control.beta * joined[cell] : 0.0);
-    joined[plane + cell] = (more ? joined[plane + cell] : 0.0) + control.alpha * p;
+    float p = z[cell] - (more ? beta * joined[cell] : 0.0);
+    joined[plane + cell] = (more ? joined[plane + cell] : 0.0) + alpha * p;
     joined[cell] = p;
   }
   findIrregular();

@@ -1,18 +1,17 @@
 #version 450 core
-// The way up of the pressure solve on one level: add the coarser level's correction, then smooth. docs/solver.md
-// section 6.
+// The way up of the pressure solve on one level: the sweep of the way down again and the coarser level's correction,
+// then smooth. docs/solver.md section 6.
 // LEVEL0: also finds A z, plans how the cycle joins the ones before, and ends the solve when little enough is left.
 #include "shaders/wind/region.glsl"
 
-layout(std430, binding = WIND_SSBO_D_IN) readonly buffer DIn { float dIn[]; };
 layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer DOut { float dOut[]; };
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 layout(std430, binding = WIND_SSBO_COARSE) readonly buffer Coarse { float coarse[]; };
-layout(std430, binding = WIND_SSBO_COARSE_FACES) readonly buffer CoarseFaces { vec4 coarseFaces[]; };
+layout(std430, binding = WIND_SSBO_COARSE_FACES) readonly buffer CoarseFaces { uint coarseFaces[]; };
 #ifdef LEVEL0
 layout(std430, binding = WIND_SSBO_APPLIED) buffer Applied { float applied[]; };
 layout(std430, binding = WIND_SSBO_LAST_APPLIED) readonly buffer LastApplied { float lastApplied[]; };
-layout(std430, binding = WIND_SSBO_CONTROL) coherent buffer Control { WindControl control; };
+layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
 #define SUM_COUNT 4
 #define SUM_ADDED 4
 #include "shaders/wind/sums.glsl"
@@ -20,43 +19,41 @@ layout(std430, binding = WIND_SSBO_CONTROL) coherent buffer Control { WindContro
 #include "shaders/wind/halves.glsl"
 #endif
 
-// The neighbour of a coarse cell one step along an axis, as seen across a border.
-float acrossBorder(int border, float own) { return border == WIND_BORDER_OPEN ? -own : own; }
-
 float coarseAt(int i, int k) { return coarse[k * level.coarseWidth + i]; }
 
-// Offset of fine cell `c` from the centre of its coarse cell, in coarse cells.
-float offsetIn(int c, int factor) { return (float(c % factor) + 0.5) / float(factor) - 0.5; }
+// How far d rises from a coarse cell to its neighbour, as seen across a border: behind an open one lies d = 0 on the
+// border itself, behind a wall the same again.
+float riseAcross(int border, float own) { return border == WIND_BORDER_OPEN ? -2.0 * own : 0.0; }
+
+// The quarter of the way from a coarse cell's centre to its neighbour's on which a fine cell's centre lies, as far as
+// the face between them is open.
+float riseAlongX(ivec2 c, bool high, float own) {
+  int n = high ? c.x + 1 : c.x - 1;
+  float share = min(facesOf(coarseFaces[c.y * (level.coarseWidth + 1) + (high ? n : c.x)]).x, 1.0);
+  if (n >= 0 && n < level.coarseWidth) return 0.25 * share * (coarseAt(n, c.y) - own);
+  if (level.xMin != WIND_BORDER_PERIODIC) return 0.25 * riseAcross(high ? level.xMax : level.xMin, own);
+  return 0.25 * share * (coarseAt(high ? 0 : level.coarseWidth - 1, c.y) - own);
+}
+float riseAlongZ(ivec2 c, bool high, float own) {
+  int n = high ? c.y + 1 : c.y - 1;
+  float share = min(facesOf(coarseFaces[(high ? n : c.y) * (level.coarseWidth + 1) + c.x]).y, 1.0);
+  if (n >= 0 && n < level.coarseHeight) return 0.25 * share * (coarseAt(c.x, n) - own);
+  if (level.zMin != WIND_BORDER_PERIODIC) return 0.25 * riseAcross(high ? level.zMax : level.zMin, own);
+  return 0.25 * share * (coarseAt(c.x, high ? 0 : level.coarseHeight - 1) - own);
+}
 
 float correctionAt(ivec2 place) {
-  ivec2 c = place / ivec2(FACTOR_X, FACTOR_Z);
+  ivec2 c = ivec2(level.factorX > 1 ? place.x >> 1 : place.x, level.factorZ > 1 ? place.y >> 1 : place.y);
   float own = coarseAt(c.x, c.y);
   float sum = own;
-  int nodes = level.coarseWidth + 1;
-#if FACTOR_X > 1
-  float x = offsetIn(place.x, FACTOR_X);
-  int ni = x > 0.0 ? c.x + 1 : c.x - 1;
-  float shareX = coarseFaces[c.y * nodes + (x > 0.0 ? c.x + 1 : c.x)].z;
-  float beside = ni >= 0 && ni < level.coarseWidth ? coarseAt(ni, c.y)
-                 : level.xMin == WIND_BORDER_PERIODIC ? coarseAt(ni < 0 ? level.coarseWidth - 1 : 0, c.y)
-                                                      : acrossBorder(ni < 0 ? level.xMin : level.xMax, own);
-  sum += abs(x) * shareX * (beside - own);
-#endif
-#if FACTOR_Z > 1
-  float z = offsetIn(place.y, FACTOR_Z);
-  int nk = z > 0.0 ? c.y + 1 : c.y - 1;
-  float shareZ = coarseFaces[(z > 0.0 ? c.y + 1 : c.y) * nodes + c.x].w;
-  float beyond = nk >= 0 && nk < level.coarseHeight ? coarseAt(c.x, nk)
-                 : level.zMin == WIND_BORDER_PERIODIC ? coarseAt(c.x, nk < 0 ? level.coarseHeight - 1 : 0)
-                                                      : acrossBorder(nk < 0 ? level.zMin : level.zMax, own);
-  sum += abs(z) * shareZ * (beyond - own);
-#endif
+  if (level.factorX > 1) sum += riseAlongX(c, (place.x & 1) != 0, own);
+  if (level.factorZ > 1) sum += riseAlongZ(c, (place.y & 1) != 0, own);
   return sum;
 }
 
 #ifdef LEVEL0
 // The products r . A z, A z . A z, A z . A p and r . r of the inner cells; stores A z.
-void measure(inout float sums[SUM_COUNT]) {
+void measure(uint cycle, inout float sums[SUM_COUNT]) {
   float az[WIND_STRIP];
   gather(az);
   for (int n = 0; n < WIND_STRIP; ++n) {
@@ -67,7 +64,7 @@ void measure(inout float sums[SUM_COUNT]) {
     sums[0] += cells[n].b * value;
     sums[1] += value * value;
     sums[3] += cells[n].b * cells[n].b;
-    if (control.cycles > 0u) sums[2] += value * lastApplied[halfOf(control.cycles) + cell];
+    if (cycle > 0u) sums[2] += value * lastApplied[halfOf(cycle) + cell];
   }
 }
 
@@ -89,26 +86,29 @@ void endCycle(float sums[SUM_COUNT]) {
 #endif
 
 void main() {
+#ifdef LEVEL0
+  uint cycle = control.cycles;
+#endif
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
     loadStencil(n, place);
     bool there = place.x >= 0;
 #ifdef LEVEL0
-    cells[n].b = there ? residualOf(control.cycles, levelCell(place)) : 0.0;
+    cells[n].b = there ? residualOf(cycle, levelCell(place)) : 0.0;
 #else
     cells[n].b = there ? flux[levelCell(place)] : 0.0;
 #endif
-    cells[n].d = cells[n].inverse > 0.0 ? dIn[levelCell(place)] + correctionAt(place) : 0.0;
+    cells[n].d = cells[n].inverse > 0.0 ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correctionAt(place) : 0.0;
   }
   findIrregular();
   publish();
-  for (int m = WIND_GPU_SWEEPS - 1; m >= 0; --m) sweep(smoothingWeight(m));
+  for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(smoothingWeight(m));
   for (int n = 0; n < WIND_STRIP; ++n) {
     if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
   }
 #ifdef LEVEL0
   float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
-  measure(sums);
+  measure(cycle, sums);
   if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums);
 #endif
 }

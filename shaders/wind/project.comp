@@ -27,10 +27,11 @@ void main() {
 
 layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]; };
 layout(std430, binding = WIND_SSBO_RESULT) writeonly buffer Result { float result[]; };
-layout(std430, binding = WIND_SSBO_PHI) readonly buffer Phi { float phi[]; };
+layout(std430, binding = WIND_SSBO_PHI) buffer Phi { float phi[]; };
+layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
 layout(std430, binding = WIND_SSBO_D_IN) readonly buffer D { float d[]; };
-layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer NextPhi { float nextPhi[]; };
-layout(std430, binding = WIND_SSBO_CONTROL) coherent buffer Control { WindControl control; };
+layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer NextPredicted { float nextPredicted[]; };
+layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
 
 #define GROUP_SIZE (WIND_GROUP_X * WIND_GROUP_Z)
 #define SUM_COUNT 5
@@ -51,16 +52,25 @@ ivec4 neighboursOf(int at, int i, int k) {
                k > 0 ? at - wind.width : at + last, k < wind.height - 1 ? at + wind.width : at - last);
 }
 
-// What the solve adds to the pressure of a cell: with multigrid the last cycle joined to those before, see join.glsl.
-float solutionAt(int at) {
+// How the solve's last cycle joins those before, see join.glsl. Read once: many invocations reading the same few words
+// again and again wait for each other.
+struct Solution {
+  bool kept, any, more;
+  float alpha, beta;
+};
+Solution solution;
+
+// What the solve adds to the expected pressure of a cell, and both together.
+float addedAt(int at) {
 #ifdef JACOBI
   return d[at];
 #else
-  if (control.cycles == 0u) return 0.0;
-  if (control.cycles == 1u) return control.alpha * d[at];
-  return joined[wind.width * wind.height + at] + control.alpha * (d[at] - control.beta * joined[at]);
+  if (!solution.any) return 0.0;
+  if (!solution.more) return solution.alpha * d[at];
+  return joined[wind.width * wind.height + at] + solution.alpha * (d[at] - solution.beta * joined[at]);
 #endif
 }
+float expectedAt(int at) { return solution.kept ? predicted[at] : 0.0; }
 
 void report(float total[SUM_COUNT]) {
   control.fluxAfter = total[0] * wind.perAir;
@@ -68,37 +78,46 @@ void report(float total[SUM_COUNT]) {
   control.maxFluxAfter = total[2];
   control.maxSpeedSquare = total[3];
   control.crossing = total[4];
-  control.dropped = 0u;  // every work-group has read it
+  control.history = 1u;  // every work-group has read it
+}
+
+void projectCell(int i, int k, inout float sums[SUM_COUNT]) {
+  int at = cellAt(i, k);
+  uint flags = flagsOf(i, k);
+  vec4 q = vec4(star[uAt(i, k)], star[uAt(i + 1, k)], star[wAt(i, k)], star[wAt(i, k + 1)]);
+  ivec4 beside = neighboursOf(at, i, k);
+  // One after the other: what is left to solve is small, so its rounding is that of the small part.
+  float expected = expectedAt(at);
+  vec4 around = vec4(expectedAt(beside.x), expectedAt(beside.y), expectedAt(beside.z), expectedAt(beside.w));
+  q = withoutGradient(q, flags, expected, around);
+  float added = addedAt(at);
+  q = withoutGradient(q, flags, added, vec4(addedAt(beside.x), addedAt(beside.y), addedAt(beside.z), addedAt(beside.w)));
+  float pressure = finiteOr(expected + added, 0.0);
+  nextPredicted[at] = solution.kept ? 2.0 * pressure - phi[at] : pressure;
+  phi[at] = pressure;
+  storeU(i, k, q.x);
+  storeW(i, k, q.z);
+  if (i == wind.width - 1) storeU(i + 1, k, q.y);
+  if (k == wind.height - 1) storeW(i, k + 1, q.w);
+  vec2 v = 0.5 * vec2(q.x + q.y, q.z + q.w);
+  float flux = (q.y - q.x) * wind.hz + (q.w - q.z) * wind.hx;
+  float square = dot(v, v);
+  sums[0] += flux * flux;
+  sums[1] += (flags & WIND_SOLID) != 0u ? 0.0 : square;
+  sums[2] = max(sums[2], abs(flux));
+  sums[3] = max(sums[3], square);
+  sums[4] = max(sums[4], max(abs(v.x) * wind.perHx, abs(v.y) * wind.perHz) * wind.dt);
+  imageStore(cellVelocities, ivec2(i, k), vec4(limited(v), 0.0, 0.0));
 }
 
 void main() {
-  int i = int(gl_GlobalInvocationID.x), k = int(gl_GlobalInvocationID.y);
+  int i = int(gl_GlobalInvocationID.x);
+  int first = int(gl_WorkGroupID.y) * WIND_GROUP_Z * WIND_PROJECT_STRIP + int(gl_LocalInvocationID.y);
+  solution = Solution(control.history != 0u, control.cycles > 0u, control.cycles > 1u, control.alpha, control.beta);
   float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0, 0.0);  // flux^2, |v|^2; greatest flux, |v|^2, crossing
-  if (i < wind.width && k < wind.height) {
-    int at = cellAt(i, k);
-    uint flags = flagsOf(i, k);
-    vec4 q = vec4(star[uAt(i, k)], star[uAt(i + 1, k)], star[wAt(i, k)], star[wAt(i, k + 1)]);
-    bool kept = control.dropped == 0u;
-    float pressure = kept ? phi[at] : 0.0;
-    ivec4 beside = neighboursOf(at, i, k);
-    if (kept) q = withoutGradient(q, flags, pressure, vec4(phi[beside.x], phi[beside.y], phi[beside.z], phi[beside.w]));
-    float solution = solutionAt(at);
-    vec4 around = vec4(solutionAt(beside.x), solutionAt(beside.y), solutionAt(beside.z), solutionAt(beside.w));
-    q = withoutGradient(q, flags, solution, around);
-    nextPhi[at] = finiteOr(pressure + solution, 0.0);
-    storeU(i, k, q.x);
-    storeW(i, k, q.z);
-    if (i == wind.width - 1) storeU(i + 1, k, q.y);
-    if (k == wind.height - 1) storeW(i, k + 1, q.w);
-    vec2 v = 0.5 * vec2(q.x + q.y, q.z + q.w);
-    float flux = (q.y - q.x) * wind.hz + (q.w - q.z) * wind.hx;
-    float square = dot(v, v);
-    sums[0] = flux * flux;
-    sums[1] = (flags & WIND_SOLID) != 0u ? 0.0 : square;
-    sums[2] = abs(flux);
-    sums[3] = square;
-    sums[4] = max(abs(v.x) * wind.perHx, abs(v.y) * wind.perHz) * wind.dt;
-    imageStore(cellVelocities, ivec2(i, k), vec4(limited(v), 0.0, 0.0));
+  for (int n = 0; n < WIND_PROJECT_STRIP; ++n) {
+    int k = first + n * WIND_GROUP_Z;
+    if (i < wind.width && k < wind.height) projectCell(i, k, sums);
   }
   if (joinAll(sums) && gl_LocalInvocationIndex == 0u) report(sums);
 }

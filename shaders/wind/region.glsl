@@ -1,14 +1,14 @@
 // A region of one level of the pressure solve in shared memory and registers, and Jacobi's sweeps on it. Invocation (x,
-// s) holds the cells (x, s WIND_STRIP + n). Each sweep makes the outermost ring that is still right one cell narrower;
-// the inner cells are right for WIND_HALO neighbour look-ups. LEVEL0: the grid itself, whose conductances follow from
-// the cells' flags; otherwise they come from buffers. docs/solver.md section 6.
+// s) holds the cells (x, s WIND_STRIP + n). Each sweep makes the outermost ring that is still right one cell narrower.
+// LEVEL0: the grid itself, whose conductances follow from the cells' flags; otherwise they come from a buffer.
+// DOWN: the region of a pass that restricts. docs/solver.md section 6.
 #include "shaders/wind/block.glsl"
+#include "shaders/wind/level_faces.glsl"
 
 layout(local_size_x = WIND_REGION, local_size_y = WIND_STRIPS) in;
 layout(std140, binding = WIND_UBO_LEVEL) uniform LevelBlock { WindLevel level; };
 #ifndef LEVEL0
-layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { vec4 faces[]; };
-layout(std430, binding = WIND_SSBO_INVERSE) readonly buffer Inverse { float inverseDiagonal[]; };
+layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { uint faces[]; };
 #endif
 
 #define GROUP_SIZE (WIND_REGION * WIND_STRIPS)
@@ -32,12 +32,23 @@ int localX() { return int(gl_LocalInvocationID.x); }
 int localZ(int n) { return int(gl_LocalInvocationID.y) * WIND_STRIP + n; }
 int scratchAt(int n) { return localZ(n) * WIND_REGION + localX(); }
 
+// Where the inner cells begin in the region, and how many there are. On the way down two rings lie around the cells
+// that the ring of the next level's cells is made of: one for the residual, one for the flux.
+#ifdef DOWN
+ivec2 levelFactor() { return ivec2(level.factorX, level.factorZ); }
+ivec2 innerBegin() { return levelFactor() + 2; }
+ivec2 innerCount() { return WIND_DOWN_INNER * levelFactor(); }
+#else
+ivec2 innerBegin() { return ivec2(WIND_HALO); }
+ivec2 innerCount() { return ivec2(WIND_INNER); }
+#endif
+
 // The cell of this level, not wrapped.
 ivec2 placeOf(int n) {
-  return ivec2(gl_WorkGroupID.xy) * WIND_INNER - WIND_HALO + ivec2(localX(), localZ(n));
+  return ivec2(gl_WorkGroupID.xy) * innerCount() - innerBegin() + ivec2(localX(), localZ(n));
 }
 // GLSL leaves the remainder of negative numbers open.
-int wrapAxis(int c, int count, bool periodic) { return periodic ? (c + WIND_HALO * count) % count : c; }
+int wrapAxis(int c, int count, bool periodic) { return periodic ? (c + WIND_REGION * count) % count : c; }
 // The cell wrapped at periodic borders; negative where there is none.
 ivec2 wrappedPlace(int n) {
   ivec2 place = placeOf(n);
@@ -48,10 +59,9 @@ ivec2 wrappedPlace(int n) {
 }
 // Whether the work-group answers for the cell.
 bool isInner(int n) {
-  ivec2 place = placeOf(n);
-  int x = localX(), z = localZ(n);
-  return x >= WIND_HALO && z >= WIND_HALO && x < WIND_REGION - WIND_HALO && z < WIND_REGION - WIND_HALO &&
-         place.x < level.width && place.y < level.height;
+  ivec2 local = ivec2(localX(), localZ(n)) - innerBegin(), count = innerCount(), place = placeOf(n);
+  return local.x >= 0 && local.y >= 0 && local.x < count.x && local.y < count.y && place.x < level.width &&
+         place.y < level.height;
 }
 int levelCell(ivec2 place) { return place.y * level.width + place.x; }
 
@@ -66,27 +76,26 @@ void loadStencil(int n, ivec2 place) {
                  2.0 * countOf(flags, WIND_GROUND_X_LOW, WIND_GROUND_X_HIGH);
   float alongZ = countOf(flags, WIND_LINK_Z_LOW, WIND_LINK_Z_HIGH) +
                  2.0 * countOf(flags, WIND_GROUND_Z_LOW, WIND_GROUND_Z_HIGH);
-  float diagonal = alongX * (wind.hz * wind.perHx) + alongZ * (wind.hx * wind.perHz);
   cells[n].flags = flags;
-  cells[n].inverse = diagonal > 0.0 ? 1.0 / diagonal : 0.0;
+  cells[n].inverse = inverseOf(alongX * level.scaleX + alongZ * level.scaleZ);
 }
 float neighbours(int n, bool regular, float xLow, float xHigh, float zLow, float zHigh) {
-  if (regular) return (xLow + xHigh) * (wind.hz * wind.perHx) + (zLow + zHigh) * (wind.hx * wind.perHz);
+  if (regular) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
   uint flags = cells[n].flags;
   float x = ((flags & WIND_LINK_X_LOW) != 0u ? xLow : 0.0) + ((flags & WIND_LINK_X_HIGH) != 0u ? xHigh : 0.0);
   float z = ((flags & WIND_LINK_Z_LOW) != 0u ? zLow : 0.0) + ((flags & WIND_LINK_Z_HIGH) != 0u ? zHigh : 0.0);
-  return x * (wind.hz * wind.perHx) + z * (wind.hx * wind.perHz);
+  return x * level.scaleX + z * level.scaleZ;
 }
 #else
 void loadStencil(int n, ivec2 place) {
   bool there = place.x >= 0;
   int node = place.y * (level.width + 1) + place.x;
-  vec4 own = there ? faces[node] : vec4(0.0);
-  cells[n].xLow = own.x;
-  cells[n].zLow = own.y;
-  cells[n].xHigh = there ? faces[node + 1].x : 0.0;
-  cells[n].zHigh = there ? faces[node + level.width + 1].y : 0.0;
-  cells[n].inverse = there ? inverseDiagonal[levelCell(place)] : 0.0;
+  vec2 low = there ? facesOf(faces[node]) : vec2(0.0);
+  cells[n].xLow = low.x * level.scaleX;
+  cells[n].zLow = low.y * level.scaleZ;
+  cells[n].xHigh = there ? facesOf(faces[node + 1]).x * level.scaleX : 0.0;
+  cells[n].zHigh = there ? facesOf(faces[node + level.width + 1]).y * level.scaleZ : 0.0;
+  cells[n].inverse = inverseOf((cells[n].xLow + cells[n].xHigh) + (cells[n].zLow + cells[n].zHigh));
 }
 float neighbours(int n, bool regular, float xLow, float xHigh, float zLow, float zHigh) {
   return (cells[n].xLow * xLow + cells[n].xHigh * xHigh) + (cells[n].zLow * zLow + cells[n].zHigh * zHigh);
@@ -139,20 +148,4 @@ void sweep(float weight) {
 }
 
 // The first sweep from d = 0 needs no neighbours.
-void firstSweep(float weight) {
-  for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = -weight * cells[n].b * cells[n].inverse;
-  publish();
-}
-
-void residuals(out float left[WIND_STRIP]) {
-  gather(left);
-  for (int n = 0; n < WIND_STRIP; ++n) {
-    left[n] = cells[n].inverse > 0.0 ? cells[n].b - (left[n] - cells[n].d / cells[n].inverse) : 0.0;
-  }
-}
-
-// Reciprocal Chebyshev points of [WIND_SMOOTH_FROM, 2].
-float smoothingWeight(int m) {
-  const float middle = 0.5 * (2.0 + WIND_SMOOTH_FROM), reach = 0.5 * (2.0 - WIND_SMOOTH_FROM);
-  return 1.0 / (middle + reach * cos(3.14159265 * float(2 * m + 1) / float(2 * WIND_GPU_SWEEPS)));
-}
+float afterFirstSweep(int n, float weight) { return -weight * cells[n].b * cells[n].inverse; }

@@ -3,18 +3,18 @@
 
 layout(std140, binding = WIND_UBO_LEVELS) uniform LevelsBlock { WindLevel allLevels[WIND_MAX_LEVELS]; };
 
-// `run`: the passes of the cycles; `again`: the first pass once more.
+void setDispatch(int command, int x, int z) {
+  control.groups[4 * command] = uint(x);
+  control.groups[4 * command + 1] = uint(z);
+  control.groups[4 * command + 2] = 1u;
+}
+
+// `run`: the passes of the cycles; `again`: this pass, the first one, once more.
 void setDispatches(bool run, bool again) {
   for (int l = 0; l < wind.ownLevels; ++l) {
-    control.groups[4 * l] = run ? uint(allLevels[l].groupsX) : 0u;
-    control.groups[4 * l + 1] = uint(allLevels[l].groupsZ);
-    control.groups[4 * l + 2] = 1u;
+    setDispatch(WIND_COMMAND_DOWN + l, run ? allLevels[l].downGroupsX : 0, allLevels[l].downGroupsZ);
+    setDispatch(WIND_COMMAND_UP + l, run ? allLevels[l].upGroupsX : 0, allLevels[l].upGroupsZ);
   }
-  control.groups[4 * WIND_COMMAND_FIRST] = again ? uint(allLevels[0].groupsX) : 0u;
-  control.groups[4 * WIND_COMMAND_FIRST + 1] = uint(allLevels[0].groupsZ);
-  control.groups[4 * WIND_COMMAND_FIRST + 2] = 1u;
-  const int tail = 4 * WIND_COMMAND_TAIL;
-  control.groups[tail] = run ? 1u : 0u;
-  control.groups[tail + 1] = 1u;
-  control.groups[tail + 2] = 1u;
+  setDispatch(WIND_COMMAND_TAIL, run ? 1 : 0, 1);
+  setDispatch(WIND_COMMAND_FIRST, again ? int(gl_NumWorkGroups.x) : 0, int(gl_NumWorkGroups.y));
 }

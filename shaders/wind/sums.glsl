@@ -1,37 +1,38 @@
 // Sums over all cells in one dispatch: each work-group delivers its own, and the last to arrive adds them up, always in
 // the same order. Before the include: SUM_COUNT values, of which the first SUM_ADDED are added and the others' greatest
-// is taken; GROUP_SIZE; a shared float array `scratch` of SUM_COUNT * GROUP_SIZE; a coherent buffer `control`.
+// is taken; GROUP_SIZE; a shared float array `scratch` of at least SUM_COUNT * GROUP_SIZE; a buffer `control`.
 
 layout(std430, binding = WIND_SSBO_SUMS) coherent buffer Sums { float groupSums[]; };
 shared uint isLastGroup;
 
-void joinInto(inout float sums[SUM_COUNT], int c, float value) {
-  sums[c] = c < SUM_ADDED ? sums[c] + value : max(sums[c], value);
-}
+float joined2(int c, float a, float b) { return c < SUM_ADDED ? a + b : max(a, b); }
 
-// Joined over the work-group; the answer is in invocation 0.
+// Joined over the work-group; the answer is in invocation 0. One invocation for each of 32 columns of each value, then
+// one for each value.
 void joinGroup(inout float sums[SUM_COUNT]) {
   const int kColumns = 32;
   int n = int(gl_LocalInvocationIndex);
   barrier();
   for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + n] = sums[c];
   barrier();
-  if (n < kColumns) {
-    for (int m = n + kColumns; m < GROUP_SIZE; m += kColumns) {
-      for (int c = 0; c < SUM_COUNT; ++c) joinInto(sums, c, scratch[c * GROUP_SIZE + m]);
-    }
-    for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + n] = sums[c];
+  for (int job = n; job < SUM_COUNT * kColumns; job += GROUP_SIZE) {
+    int c = job / kColumns, at = c * GROUP_SIZE + job % kColumns;
+    float sum = scratch[at];
+    for (int m = kColumns; m < GROUP_SIZE; m += kColumns) sum = joined2(c, sum, scratch[at + m]);
+    scratch[at] = sum;
   }
   barrier();
-  if (n == 0) {
-    for (int m = 1; m < kColumns; ++m) {
-      for (int c = 0; c < SUM_COUNT; ++c) joinInto(sums, c, scratch[c * GROUP_SIZE + m]);
-    }
+  if (n < SUM_COUNT) {
+    int at = n * GROUP_SIZE;
+    float sum = scratch[at];
+    for (int m = 1; m < kColumns; ++m) sum = joined2(n, sum, scratch[at + m]);
+    scratch[at] = sum;
   }
+  barrier();
+  for (int c = 0; c < SUM_COUNT; ++c) sums[c] = scratch[c * GROUP_SIZE];
 }
 
-// True in all invocations of the work-group that arrives last; then the values, in invocation 0, are those of all
-// groups.
+// True in all invocations of the work-group that arrives last; then the values are those of all groups.
 bool joinAll(inout float sums[SUM_COUNT]) {
   joinGroup(sums);
   uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
@@ -46,7 +47,7 @@ bool joinAll(inout float sums[SUM_COUNT]) {
   memoryBarrierBuffer();
   for (int c = 0; c < SUM_COUNT; ++c) sums[c] = 0.0;
   for (uint m = gl_LocalInvocationIndex; m < groups; m += uint(GROUP_SIZE)) {
-    for (int c = 0; c < SUM_COUNT; ++c) joinInto(sums, c, groupSums[m * uint(SUM_COUNT) + uint(c)]);
+    for (int c = 0; c < SUM_COUNT; ++c) sums[c] = joined2(c, sums[c], groupSums[m * uint(SUM_COUNT) + uint(c)]);
   }
   joinGroup(sums);
   if (gl_LocalInvocationIndex == 0u) control.arrived = 0u;
