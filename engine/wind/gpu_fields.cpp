@@ -46,7 +46,7 @@ int workGroups(int count, int size) {
 std::size_t sumFloats(const WindGrid& grid) {
   const int cells =
       workGroups(grid.width, WIND_GROUP_X) * workGroups(grid.height, WIND_GROUP_Z * WIND_PROJECT_STRIP) * 5;
-  constexpr int kSmallest = std::min(WIND_INNER, WIND_DOWN_INNER);
+  constexpr int kSmallest = std::min(WIND_INNER(WIND_FINE_REGION), WIND_DOWN_INNER(WIND_FINE_REGION));
   const int regions = workGroups(grid.width, kSmallest) * workGroups(grid.height, kSmallest) * 4;
   return static_cast<std::size_t>(std::max(cells, regions));
 }

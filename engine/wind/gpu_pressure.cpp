@@ -13,9 +13,10 @@ namespace windloom {
 namespace {
 
 constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples of this on every driver
-static_assert(WIND_DOWN_INNER % 2 == 0, "cells of the level after the next don't straddle work-groups");
-static_assert(2 * (WIND_DOWN_INNER + 2) + 4 <= WIND_REGION, "the region holds the ring, its residuals and its flux");
-static_assert(WIND_REGION % WIND_STRIP == 0 && WIND_REGION * WIND_STRIPS <= 1024, "a work-group of whole strips");
+static_assert(WIND_DOWN_INNER(WIND_FINE_REGION) % 2 == 0 && WIND_DOWN_INNER(WIND_COARSE_REGION) % 2 == 0,
+              "cells of the level after the next don't straddle work-groups");
+static_assert(WIND_HALO % 2 == 0, "the cells of a coarser one lie in the same region");
+static_assert(WIND_STRIP == 4 && WIND_FINE_REGION * WIND_FINE_REGION / WIND_STRIP <= 1024, "see correctStrip()");
 
 std::size_t commandOffset(std::size_t command) {
   return offsetof(shared::WindControl, groups) + command * 4 * sizeof(shared::uint);
@@ -52,7 +53,7 @@ std::vector<shared::uint> packFaces(const PressureLevel& level) {
 }
 
 /// Floats of shared memory the tail needs from level `first` on: d and its 0, right-hand sides of all but the first
-/// level, and the nodes.
+/// level, and their nodes.
 struct TailSize {
   std::size_t cells = 0, first = 0, nodes = 0;
   [[nodiscard]] std::size_t bytes() const { return (cells + 1 + cells - first + 1 + nodes) * sizeof(float); }
@@ -64,6 +65,7 @@ TailSize tailSize(std::span<const PressureLevel> levels, std::size_t first) {
     size.cells += cellCount(level);
     size.nodes += nodeCount(level);
   }
+  size.nodes -= nodeCount(levels[first]);
   return size;
 }
 
@@ -166,7 +168,7 @@ Status GpuPressure::makeTail(std::span<const PressureLevel> levels, std::size_t 
   for (const PressureLevel& level : levels.subspan(first)) widest = std::max(widest, cellCount(level));
   const std::size_t strides = (widest + WIND_TAIL_GROUP - 1) / WIND_TAIL_GROUP;
   m_tailDefines = "TAIL_CELLS=" + std::to_string(size.cells) + " TAIL_FIRST=" + std::to_string(size.first) +
-                  " TAIL_NODES=" + std::to_string(size.nodes) + " TAIL_STRIDES=" + std::to_string(strides);
+                  " TAIL_NODES=" + std::to_string(std::max<std::size_t>(size.nodes, 1)) + " TAIL_STRIDES=" + std::to_string(strides);
   return Done{};
 }
 
@@ -194,15 +196,16 @@ Status GpuPressure::sendLevels(std::span<const PressureLevel> levels, const Wind
     b.coarseScaleZ = next.scale.y;
     b.coarseFactorX = afterNext.factorX;
     b.coarseFactorZ = afterNext.factorZ;
-    b.upGroupsX = groupsAcross(b.width, WIND_INNER);
-    b.upGroupsZ = groupsAcross(b.height, WIND_INNER);
-    b.downGroupsX = groupsAcross(b.coarseWidth, WIND_DOWN_INNER);
-    b.downGroupsZ = groupsAcross(b.coarseHeight, WIND_DOWN_INNER);
+    const int region = l == 0 ? WIND_FINE_REGION : WIND_COARSE_REGION;
+    b.upGroupsX = groupsAcross(b.width, WIND_INNER(region));
+    b.upGroupsZ = groupsAcross(b.height, WIND_INNER(region));
+    b.downGroupsX = groupsAcross(b.coarseWidth, WIND_DOWN_INNER(region));
+    b.downGroupsZ = groupsAcross(b.coarseHeight, WIND_DOWN_INNER(region));
     if (l < m_levels.size()) continue;
     b.cells = cells;
     b.faces = faces;
     cells += b.width * b.height;
-    faces += (b.width + 1) * (b.height + 1);
+    if (l > m_levels.size()) faces += (b.width + 1) * (b.height + 1);
   }
   for (std::size_t l = 0; l + 1 < m_levels.size(); ++l) {
     const bool second = l > 0 && blocks[l - 1].pair != 0;

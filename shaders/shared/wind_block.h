@@ -112,7 +112,7 @@ struct WindLevel {
   int upGroupsX, upGroupsZ;       // work-groups of its passes
   int downGroupsX, downGroupsZ;
   int cells;                      // tail: where its cells begin in shared memory
-  int faces;                      // tail: where its nodes begin in the buffer of faces
+  int faces;                      // tail: where its nodes begin, counted without the first level's
   int padding;
 };
 

@@ -10,7 +10,7 @@
 #define WIND_CONFINEMENT_LIMIT 0.2f  // largest increment of confinement a step, part of the local speed
 #define WIND_CONFINEMENT_GAIN 0.1f   // 1/s: how fast confinement may make air faster at most
 #define WIND_CONFINEMENT_SOFTNESS 0.25f  // gradients of vorticity below this part of it per cell have little direction
-#define WIND_ROUNDING_FLOOR 1e-6f    // residual that single precision can't see past, part of RMS speed times cell size
+#define WIND_ROUNDING_FLOOR 2e-7f    // residual that single precision can't see past, part of RMS speed times cell size
 #define WIND_VISCOSITY_SWEEPS 64     // most Chebyshev sweeps of the implicit viscosity
 
 // The smoother of the pressure solve: one sweep of this weight before a coarser level, WIND_SWEEPS_UP after it with the

@@ -15,18 +15,20 @@
 #define WIND_FORCE_GROUP_X 32
 #define WIND_FORCE_GROUP_Z 16
 
-// Pressure: a work-group holds a region of WIND_REGION x WIND_REGION cells in shared memory and registers, each
-// invocation a strip of WIND_STRIP cells along z.
-#define WIND_REGION 64
+// Pressure: a work-group holds a square region of cells in shared memory and registers, each invocation a strip of
+// WIND_STRIP cells along z. Coarser levels have few cells: smaller regions keep more of the GPU busy.
+#define WIND_FINE_REGION 64
+#define WIND_COARSE_REGION 32
 #define WIND_STRIP 4
-#define WIND_STRIPS (WIND_REGION / WIND_STRIP)
 
-// On the way up the inner cells, WIND_HALO from each side, are the result: one cell for each sweep, one for the residual.
+// On the way up the inner cells, WIND_HALO from each side, are the result: one cell for each sweep, one for the
+// residual. Even, so that the cells of a coarser one stay together.
 #define WIND_HALO (WIND_SWEEPS_UP + 1)
-#define WIND_INNER (WIND_REGION - 2 * WIND_HALO)
+#define WIND_INNER(REGION) ((REGION) - 2 * WIND_HALO)
 
-// On the way down a work-group answers for this many cells of the next level along each axis.
-#define WIND_DOWN_INNER 28
+// On the way down a work-group answers for this many cells of the next level along each axis: around them lie a ring of
+// that level, and of this one a ring for the residual and one for the flux.
+#define WIND_DOWN_INNER(REGION) (((REGION) - 4) / 2 - 2)
 
 // Levels from this many cells down are solved together by one work-group of WIND_TAIL_GROUP invocations.
 #define WIND_TAIL_CELLS 4096

@@ -10,6 +10,11 @@ layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]
 layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
 layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; };
 
+vec4 facesOfCell(ivec2 place) {
+  int u = uAt(place.x, place.y), w = wAt(place.x, place.y);
+  return vec4(star[u], star[u + 1], star[w], star[w + wind.stride]);
+}
+
 // b of the strip from the velocity without the expected pressure; adds up f0^2, b^2 and speed^2.
 void loadFlux(inout float sums[SUM_COUNT]) {
   bool kept = control.history != 0u;
@@ -18,21 +23,25 @@ void loadFlux(inout float sums[SUM_COUNT]) {
     loadStencil(n, place);
     cells[n].d = place.x >= 0 && kept ? predicted[levelCell(place)] : 0.0;
   }
-  findIrregular();
+  regular = findRegular();
   publish();
   int at = scratchAt(0);
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
     cells[n].b = 0.0;
     if (place.x < 0) continue;
-    int mine = at + n * WIND_REGION;
+    int mine = at + n * REGION;
     // The rim of the region has no neighbours to read; nothing that counts comes from there.
-    vec4 around = vec4(localX() > 0 ? scratch[mine - 1] : 0.0, localX() < WIND_REGION - 1 ? scratch[mine + 1] : 0.0,
-                       localZ(n) > 0 ? scratch[mine - WIND_REGION] : 0.0,
-                       localZ(n) < WIND_REGION - 1 ? scratch[mine + WIND_REGION] : 0.0);
-    vec4 q = vec4(star[uAt(place.x, place.y)], star[uAt(place.x + 1, place.y)], star[wAt(place.x, place.y)],
-                  star[wAt(place.x, place.y + 1)]);
-    vec4 p = withoutGradient(q, cells[n].flags, cells[n].d, around);
+    vec4 around = vec4(localX() > 0 ? scratch[mine - 1] : 0.0, localX() < REGION - 1 ? scratch[mine + 1] : 0.0,
+                       localZ(n) > 0 ? scratch[mine - REGION] : 0.0,
+                       localZ(n) < REGION - 1 ? scratch[mine + REGION] : 0.0);
+    vec4 q = facesOfCell(place), p;
+    if (regular) {
+      vec4 rise = vec4(cells[n].d - around.x, around.y - cells[n].d, cells[n].d - around.z, around.w - cells[n].d);
+      p = q - rise * vec4(wind.perHx, wind.perHx, wind.perHz, wind.perHz);
+    } else {
+      p = withoutGradient(q, cells[n].flags, cells[n].d, around);
+    }
     float before = (q.y - q.x) * wind.hz + (q.w - q.z) * wind.hx;
     float b = (p.y - p.x) * wind.hz + (p.w - p.z) * wind.hx;
     cells[n].b = b;

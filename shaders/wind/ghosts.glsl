@@ -33,7 +33,14 @@ void storeRows(int base, int column, int k, float value, ivec2 rows, int compone
   if (rows.y != -2) GHOST_TARGET[last] = ghostOf(wind.zMax, component, value, ambient, wind.wallZMax);
 }
 
+// Whether face (i, k) of either component feeds no ghost.
+bool feedsNoGhost(int i, int k) { return i > 1 && k > 1 && i < wind.width - 1 && k < wind.height - 1; }
+
 void storeU(int i, int k, float value) {
+  if (feedsNoGhost(i, k)) {
+    GHOST_TARGET[uAt(i, k)] = value;
+    return;
+  }
   ivec2 columns = ghostsFedBy(i, wind.width + 1, wind.width, periodicX());
   ivec2 rows = ghostsFedBy(k, wind.height, wind.height, periodicZ());
   float a = wind.ambient.x;
@@ -43,6 +50,10 @@ void storeU(int i, int k, float value) {
 }
 
 void storeW(int i, int k, float value) {
+  if (feedsNoGhost(i, k)) {
+    GHOST_TARGET[wAt(i, k)] = value;
+    return;
+  }
   ivec2 columns = ghostsFedBy(i, wind.width, wind.width, periodicX());
   ivec2 rows = ghostsFedBy(k, wind.height + 1, wind.height, periodicZ());
   float a = wind.ambient.y;

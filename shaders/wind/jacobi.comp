@@ -21,7 +21,7 @@ void load() {
     cells[n].b = place.x >= 0 ? flux[levelCell(place)] : 0.0;
     cells[n].d = place.x >= 0 ? dIn[levelCell(place)] : 0.0;
   }
-  findIrregular();
+  regular = findRegular();
 }
 #endif
 

@@ -34,5 +34,5 @@ void loadJoined() {
     joined[plane + cell] = (more ? joined[plane + cell] : 0.0) + alpha * p;
     joined[cell] = p;
   }
-  findIrregular();
+  regular = findRegular();
 }

@@ -27,13 +27,13 @@ void load() {
     loadStencil(n, place);
     cells[n].b = place.x >= 0 ? flux[levelCell(place)] : 0.0;
   }
-  findIrregular();
+  regular = findRegular();
 }
 #endif
 
 // The cells of the next level that the region covers: the inner ones, and a ring where the pass goes on to the level
 // after that.
-const int kRing = WIND_DOWN_INNER + 2;
+const int kRing = WIND_DOWN_INNER(REGION) + 2;
 const int kRounds = (kRing * kRing + GROUP_SIZE - 1) / GROUP_SIZE;
 
 // Leaves in `scratch` the residuals after the first sweep; those that aren't whole on their level are 0.
@@ -52,7 +52,7 @@ void findResiduals() {
 }
 
 // The cell of the next level, as counted in the ring; not wrapped.
-ivec2 coarsePlace(ivec2 ring) { return ivec2(gl_WorkGroupID.xy) * WIND_DOWN_INNER + ring - 1; }
+ivec2 coarsePlace(ivec2 ring) { return ivec2(gl_WorkGroupID.xy) * WIND_DOWN_INNER(REGION) + ring - 1; }
 bool inRing(ivec2 ring, int margin) {
   return ring.x >= margin && ring.y >= margin && ring.x < kRing - margin && ring.y < kRing - margin;
 }
@@ -62,12 +62,12 @@ ivec2 ringOf(int round) {
 }
 
 float sumOfCell(ivec2 ring) {
-  int corner = (2 + ring.y * level.factorZ) * WIND_REGION + 2 + ring.x * level.factorX;
+  int corner = (2 + ring.y * level.factorZ) * REGION + 2 + ring.x * level.factorX;
   float sum = scratch[corner];
   if (level.factorX > 1) sum += scratch[corner + 1];
   if (level.factorZ > 1) {
-    sum += scratch[corner + WIND_REGION];
-    if (level.factorX > 1) sum += scratch[corner + WIND_REGION + 1];
+    sum += scratch[corner + REGION];
+    if (level.factorX > 1) sum += scratch[corner + REGION + 1];
   }
   return sum;
 }
@@ -103,37 +103,37 @@ void restrictTwice() {
   barrier();
   for (int round = 0; round < kRounds; ++round) {
     ivec2 ring = ringOf(round);
-    if (inRing(ring, 0)) scratch[ring.y * WIND_REGION + ring.x] = -WIND_SMOOTH_DOWN * b[round] * inverse[round];
+    if (inRing(ring, 0)) scratch[ring.y * REGION + ring.x] = -WIND_SMOOTH_DOWN * b[round] * inverse[round];
   }
   barrier();
   float left[kRounds];
   for (int round = 0; round < kRounds; ++round) {
     ivec2 ring = ringOf(round), place = coarsePlace(ring);
-    int at = ring.y * WIND_REGION + ring.x;
+    int at = ring.y * REGION + ring.x;
     bool counts = inRing(ring, 1) && place.x < size.x && place.y < size.y && inverse[round] > 0.0;
     left[round] = 0.0;
     if (!counts) continue;
-    vec4 around = vec4(scratch[at - 1], scratch[at + 1], scratch[at - WIND_REGION], scratch[at + WIND_REGION]);
+    vec4 around = vec4(scratch[at - 1], scratch[at + 1], scratch[at - REGION], scratch[at + REGION]);
     vec4 flows = links[round] * around;
     left[round] = (1.0 - WIND_SMOOTH_DOWN) * b[round] - ((flows.x + flows.y) + (flows.z + flows.w));
   }
   barrier();
   for (int round = 0; round < kRounds; ++round) {
     ivec2 ring = ringOf(round);
-    if (inRing(ring, 0)) scratch[ring.y * WIND_REGION + ring.x] = left[round];
+    if (inRing(ring, 0)) scratch[ring.y * REGION + ring.x] = left[round];
   }
   barrier();
   ivec2 factor = ivec2(level.coarseFactorX, level.coarseFactorZ);
-  ivec2 count = ivec2(WIND_DOWN_INNER) / factor, coarserSize = (size + factor - 1) / factor;
+  ivec2 count = ivec2(WIND_DOWN_INNER(REGION)) / factor, coarserSize = (size + factor - 1) / factor;
   for (int m = int(gl_LocalInvocationIndex); m < count.x * count.y; m += GROUP_SIZE) {
     ivec2 local = ivec2(m % count.x, m / count.x), place = ivec2(gl_WorkGroupID.xy) * count + local;
     if (place.x >= coarserSize.x || place.y >= coarserSize.y) continue;
-    int corner = (1 + local.y * factor.y) * WIND_REGION + 1 + local.x * factor.x;
+    int corner = (1 + local.y * factor.y) * REGION + 1 + local.x * factor.x;
     float sum = scratch[corner];
     if (factor.x > 1) sum += scratch[corner + 1];
     if (factor.y > 1) {
-      sum += scratch[corner + WIND_REGION];
-      if (factor.x > 1) sum += scratch[corner + WIND_REGION + 1];
+      sum += scratch[corner + REGION];
+      if (factor.x > 1) sum += scratch[corner + REGION + 1];
     }
     coarser[place.y * coarserSize.x + place.x] = sum;
   }

@@ -2,7 +2,7 @@
 // All small levels of the pressure solve in one work-group: the rest of a V-cycle, down and up. docs/solver.md section
 // 6. Everything that is read more than once is fetched at the start, since a look into the GPU's memory takes longer
 // than a sweep.
-// TAIL_CELLS, TAIL_FIRST, TAIL_NODES: cells of all levels, cells of the first one, nodes of all.
+// TAIL_CELLS, TAIL_FIRST, TAIL_NODES: cells of all levels, cells of the first one, nodes of all but the first one.
 // TAIL_STRIDES: cells of the first level per invocation.
 #include "shaders/wind/block.glsl"
 #include "shaders/wind/level_faces.glsl"
@@ -17,6 +17,7 @@ shared uint nodes[TAIL_NODES];
 shared float d[TAIL_CELLS + 1];                 // the last one is the 0 of what lies outside
 shared float rhs[TAIL_CELLS - TAIL_FIRST + 1];  // of all levels but the first
 float firstRhs[TAIL_STRIDES];
+uvec3 firstNodes[TAIL_STRIDES];  // a cell's own, the next along x, the next along z
 
 // This invocation's cells of the level at hand.
 struct Stencil {
@@ -44,8 +45,9 @@ void takeLevel(WindLevel l) {
     int k = cell / l.width, i = cell - k * l.width;
     int node = l.faces + k * (l.width + 1) + i;
     int at = l.cells + cell;
-    vec2 low = facesOf(nodes[node]) * vec2(l.scaleX, l.scaleZ);
-    float xHigh = facesOf(nodes[node + 1]).x * l.scaleX, zHigh = facesOf(nodes[node + l.width + 1]).y * l.scaleZ;
+    uvec3 links = first ? firstNodes[n] : uvec3(nodes[node], nodes[node + 1], nodes[node + l.width + 1]);
+    vec2 low = facesOf(links.x) * vec2(l.scaleX, l.scaleZ);
+    float xHigh = facesOf(links.y).x * l.scaleX, zHigh = facesOf(links.z).y * l.scaleZ;
     float b = first ? firstRhs[n] : rhs[at - TAIL_FIRST];
     stencils[n] = Stencil(low.x, xHigh, low.y, zHigh, inverseOf((low.x + xHigh) + (low.y + zHigh)), b,
                           neighbourAt(at, i, l.width, 1, false, wrapX), neighbourAt(at, i, l.width, 1, true, wrapX),
@@ -139,8 +141,14 @@ void goUp(WindLevel l, WindLevel next) {
 
 void main() {
   int first = wind.ownLevels, last = wind.allLevels - 1;
-  for (int n = int(gl_LocalInvocationIndex); n < TAIL_NODES; n += WIND_TAIL_GROUP) nodes[n] = faces[n];
-  for (int n = 0; n < TAIL_STRIDES; ++n) firstRhs[n] = cellOf(n) < TAIL_FIRST ? flux[cellOf(n)] : 0.0;
+  int width = levels[first].width, firstCount = (width + 1) * (levels[first].height + 1);
+  for (int n = int(gl_LocalInvocationIndex); n < TAIL_NODES; n += WIND_TAIL_GROUP) nodes[n] = faces[firstCount + n];
+  for (int n = 0; n < TAIL_STRIDES; ++n) {
+    if (cellOf(n) >= TAIL_FIRST) break;
+    int node = cellOf(n) + cellOf(n) / width;  // a row has one node more than cells
+    firstNodes[n] = uvec3(faces[node], faces[node + 1], faces[node + width + 1]);
+    firstRhs[n] = flux[cellOf(n)];
+  }
   if (gl_LocalInvocationIndex == 0u) d[TAIL_CELLS] = 0.0;
   barrier();
   for (int l = first; l < last; ++l) {

@@ -52,6 +52,31 @@ float correctionAt(ivec2 place) {
 }
 
 #ifdef LEVEL0
+int wrapCoarse(int c, int count) { return c < 0 ? c + count : c < count ? c : c - count; }
+
+// Whether coarsening goes by two along both axes, and no cell of the next level is cut short by a periodic border.
+bool coarsensEvenly() {
+  bool wholeX = level.xMin != WIND_BORDER_PERIODIC || level.width == 2 * level.coarseWidth;
+  bool wholeZ = level.zMin != WIND_BORDER_PERIODIC || level.height == 2 * level.coarseHeight;
+  return level.factorX == 2 && level.factorZ == 2 && wholeX && wholeZ;
+}
+
+// The correction of a strip of four cells in a regular region that coarsens evenly: all it needs is six cells, which are
+// all there.
+void correctStrip(out float corrections[WIND_STRIP]) {
+  ivec2 size = ivec2(level.coarseWidth, level.coarseHeight), place = wrappedPlace(0);
+  ivec2 c = place >> 1;
+  int side = wrapCoarse(c.x + ((place.x & 1) != 0 ? 1 : -1), size.x);
+  int after = wrapCoarse(c.y + 1, size.y);
+  float own0 = coarseAt(c.x, c.y), own1 = coarseAt(c.x, after);
+  float low = coarseAt(c.x, wrapCoarse(c.y - 1, size.y)), high = coarseAt(c.x, wrapCoarse(c.y + 2, size.y));
+  float base0 = own0 + 0.25 * (coarseAt(side, c.y) - own0), base1 = own1 + 0.25 * (coarseAt(side, after) - own1);
+  corrections[0] = base0 + 0.25 * (low - own0);
+  corrections[1] = base0 + 0.25 * (own1 - own0);
+  corrections[2] = base1 + 0.25 * (own0 - own1);
+  corrections[3] = base1 + 0.25 * (high - own1);
+}
+
 // The products r . A z, A z . A z, A z . A p and r . r of the inner cells; stores A z.
 void measure(uint cycle, inout float sums[SUM_COUNT]) {
   float az[WIND_STRIP];
@@ -98,9 +123,21 @@ void main() {
 #else
     cells[n].b = there ? flux[levelCell(place)] : 0.0;
 #endif
-    cells[n].d = cells[n].inverse > 0.0 ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correctionAt(place) : 0.0;
   }
-  findIrregular();
+  regular = findRegular();
+#ifdef LEVEL0
+  if (regular && coarsensEvenly()) {
+    float corrections[WIND_STRIP];
+    correctStrip(corrections);
+    for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, WIND_SMOOTH_DOWN) + corrections[n];
+  } else
+#endif
+  {
+    for (int n = 0; n < WIND_STRIP; ++n) {
+      bool air = cells[n].inverse > 0.0;
+      cells[n].d = air ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correctionAt(wrappedPlace(n)) : 0.0;
+    }
+  }
   publish();
   for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(smoothingWeight(m));
   for (int n = 0; n < WIND_STRIP; ++n) {

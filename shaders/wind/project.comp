@@ -81,17 +81,32 @@ void report(float total[SUM_COUNT]) {
   control.history = 1u;  // every work-group has read it
 }
 
+// The faces of a cell with nothing but air around it, without the gradient of a pressure.
+vec4 withoutPlainGradient(vec4 q, float p, vec4 around) {
+  vec4 rise = vec4(p - around.x, around.y - p, p - around.z, around.w - p);
+  vec4 next = q - rise * vec4(wind.perHx, wind.perHx, wind.perHz, wind.perHz);
+  return vec4(finiteOr(next.x, q.x), finiteOr(next.y, q.y), finiteOr(next.z, q.z), finiteOr(next.w, q.w));
+}
+
+vec4 expectedAround(ivec4 at) { return vec4(expectedAt(at.x), expectedAt(at.y), expectedAt(at.z), expectedAt(at.w)); }
+vec4 addedAround(ivec4 at) { return vec4(addedAt(at.x), addedAt(at.y), addedAt(at.z), addedAt(at.w)); }
+
 void projectCell(int i, int k, inout float sums[SUM_COUNT]) {
-  int at = cellAt(i, k);
+  int at = cellAt(i, k), u = uAt(i, k), w = wAt(i, k);
   uint flags = flagsOf(i, k);
-  vec4 q = vec4(star[uAt(i, k)], star[uAt(i + 1, k)], star[wAt(i, k)], star[wAt(i, k + 1)]);
-  ivec4 beside = neighboursOf(at, i, k);
+  vec4 q = vec4(star[u], star[u + 1], star[w], star[w + wind.stride]);
+  float expected = expectedAt(at), added = addedAt(at);
   // One after the other: what is left to solve is small, so its rounding is that of the small part.
-  float expected = expectedAt(at);
-  vec4 around = vec4(expectedAt(beside.x), expectedAt(beside.y), expectedAt(beside.z), expectedAt(beside.w));
-  q = withoutGradient(q, flags, expected, around);
-  float added = addedAt(at);
-  q = withoutGradient(q, flags, added, vec4(addedAt(beside.x), addedAt(beside.y), addedAt(beside.z), addedAt(beside.w)));
+  bool inside = i > 0 && k > 0 && i < wind.width - 1 && k < wind.height - 1;
+  if (inside && (flags & WIND_ALL_LINKS) == WIND_ALL_LINKS) {
+    ivec4 beside = ivec4(at - 1, at + 1, at - wind.width, at + wind.width);
+    q = withoutPlainGradient(q, expected, expectedAround(beside));
+    q = withoutPlainGradient(q, added, addedAround(beside));
+  } else {
+    ivec4 beside = neighboursOf(at, i, k);
+    q = withoutGradient(q, flags, expected, expectedAround(beside));
+    q = withoutGradient(q, flags, added, addedAround(beside));
+  }
   float pressure = finiteOr(expected + added, 0.0);
   nextPredicted[at] = solution.kept ? 2.0 * pressure - phi[at] : pressure;
   phi[at] = pressure;

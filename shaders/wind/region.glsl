@@ -2,17 +2,22 @@
 // s) holds the cells (x, s WIND_STRIP + n). Each sweep makes the outermost ring that is still right one cell narrower.
 // LEVEL0: the grid itself, whose conductances follow from the cells' flags; otherwise they come from a buffer.
 // DOWN: the region of a pass that restricts. docs/solver.md section 6.
+#ifdef LEVEL0
+#define REGION WIND_FINE_REGION
+#else
+#define REGION WIND_COARSE_REGION
+#endif
 #include "shaders/wind/block.glsl"
 #include "shaders/wind/level_faces.glsl"
 
-layout(local_size_x = WIND_REGION, local_size_y = WIND_STRIPS) in;
+layout(local_size_x = REGION, local_size_y = REGION / WIND_STRIP) in;
 layout(std140, binding = WIND_UBO_LEVEL) uniform LevelBlock { WindLevel level; };
 #ifndef LEVEL0
 layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { uint faces[]; };
 #endif
 
-#define GROUP_SIZE (WIND_REGION * WIND_STRIPS)
-shared float scratch[WIND_REGION * WIND_REGION];
+#define GROUP_SIZE (REGION * REGION / WIND_STRIP)
+shared float scratch[REGION * REGION];
 #ifdef LEVEL0
 shared uint irregular;  // 1: some cell of the region is solid, or next to a solid or border
 #endif
@@ -27,20 +32,21 @@ struct Cell {
 #endif
 };
 Cell cells[WIND_STRIP];
+bool regular = false;  // the whole region is, see findRegular()
 
 int localX() { return int(gl_LocalInvocationID.x); }
 int localZ(int n) { return int(gl_LocalInvocationID.y) * WIND_STRIP + n; }
-int scratchAt(int n) { return localZ(n) * WIND_REGION + localX(); }
+int scratchAt(int n) { return localZ(n) * REGION + localX(); }
 
 // Where the inner cells begin in the region, and how many there are. On the way down two rings lie around the cells
 // that the ring of the next level's cells is made of: one for the residual, one for the flux.
 #ifdef DOWN
 ivec2 levelFactor() { return ivec2(level.factorX, level.factorZ); }
 ivec2 innerBegin() { return levelFactor() + 2; }
-ivec2 innerCount() { return WIND_DOWN_INNER * levelFactor(); }
+ivec2 innerCount() { return WIND_DOWN_INNER(REGION) * levelFactor(); }
 #else
 ivec2 innerBegin() { return ivec2(WIND_HALO); }
-ivec2 innerCount() { return ivec2(WIND_INNER); }
+ivec2 innerCount() { return ivec2(WIND_INNER(REGION)); }
 #endif
 
 // The cell of this level, not wrapped.
@@ -48,7 +54,7 @@ ivec2 placeOf(int n) {
   return ivec2(gl_WorkGroupID.xy) * innerCount() - innerBegin() + ivec2(localX(), localZ(n));
 }
 // GLSL leaves the remainder of negative numbers open.
-int wrapAxis(int c, int count, bool periodic) { return periodic ? (c + WIND_REGION * count) % count : c; }
+int wrapAxis(int c, int count, bool periodic) { return periodic ? (c + REGION * count) % count : c; }
 // The cell wrapped at periodic borders; negative where there is none.
 ivec2 wrappedPlace(int n) {
   ivec2 place = placeOf(n);
@@ -79,7 +85,7 @@ void loadStencil(int n, ivec2 place) {
   cells[n].flags = flags;
   cells[n].inverse = inverseOf(alongX * level.scaleX + alongZ * level.scaleZ);
 }
-float neighbours(int n, bool regular, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
   if (regular) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
   uint flags = cells[n].flags;
   float x = ((flags & WIND_LINK_X_LOW) != 0u ? xLow : 0.0) + ((flags & WIND_LINK_X_HIGH) != 0u ? xHigh : 0.0);
@@ -97,19 +103,23 @@ void loadStencil(int n, ivec2 place) {
   cells[n].zHigh = there ? facesOf(faces[node + level.width + 1]).y * level.scaleZ : 0.0;
   cells[n].inverse = inverseOf((cells[n].xLow + cells[n].xHigh) + (cells[n].zLow + cells[n].zHigh));
 }
-float neighbours(int n, bool regular, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
   return (cells[n].xLow * xLow + cells[n].xHigh * xHigh) + (cells[n].zLow * zLow + cells[n].zHigh * zHigh);
 }
 #endif
 
-// After the stencils are loaded.
-void findIrregular() {
+// After the stencils are loaded: whether any cell of the region is irregular, the same for all of the work-group.
+bool findRegular() {
 #ifdef LEVEL0
   if (gl_LocalInvocationIndex == 0u) irregular = 0u;
   barrier();
-  uint shape = WIND_ALL_LINKS;
-  for (int n = 0; n < WIND_STRIP; ++n) shape = cells[n].flags == WIND_ALL_LINKS ? shape : 0u;
-  if (shape == 0u) irregular = 1u;
+  bool plain = true;
+  for (int n = 0; n < WIND_STRIP; ++n) plain = plain && cells[n].flags == WIND_ALL_LINKS;
+  if (!plain) irregular = 1u;
+  barrier();
+  return irregular == 0u;
+#else
+  return false;
 #endif
 }
 
@@ -121,20 +131,15 @@ void publish() {
 
 // Sum of conductance times neighbour of each cell of the strip, from what was published.
 void gather(out float sums[WIND_STRIP]) {
-#ifdef LEVEL0
-  bool regular = irregular == 0u;
-#else
-  const bool regular = false;
-#endif
   int at = scratchAt(0);
-  int toLow = localX() > 0 ? -1 : 0, toHigh = localX() < WIND_REGION - 1 ? 1 : 0;
-  float before = localZ(0) > 0 ? scratch[at - WIND_REGION] : 0.0;
-  float after = localZ(WIND_STRIP) < WIND_REGION ? scratch[at + WIND_STRIP * WIND_REGION] : 0.0;
+  int toLow = localX() > 0 ? -1 : 0, toHigh = localX() < REGION - 1 ? 1 : 0;
+  float before = localZ(0) > 0 ? scratch[at - REGION] : 0.0;
+  float after = localZ(WIND_STRIP) < REGION ? scratch[at + WIND_STRIP * REGION] : 0.0;
   for (int n = 0; n < WIND_STRIP; ++n) {
-    int mine = at + n * WIND_REGION;
+    int mine = at + n * REGION;
     float zLow = n > 0 ? cells[max(n - 1, 0)].d : before;
     float zHigh = n < WIND_STRIP - 1 ? cells[min(n + 1, WIND_STRIP - 1)].d : after;
-    sums[n] = neighbours(n, regular, scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
+    sums[n] = neighbours(n, scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
   }
 }
 

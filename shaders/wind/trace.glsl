@@ -45,15 +45,31 @@ bool leftField(vec2 place) {
          (open.w && place.y > float(wind.height));
 }
 
+// Whether a position and everything that is interpolated around it lies inside the field. False for what isn't a number.
+bool isDeepInside(vec2 place) {
+  return min(place.x, place.y) >= 1.0 && place.x <= float(wind.width - 1) && place.y <= float(wind.height - 1);
+}
+// Bilinear interpolation there needs no care: low corner and weights.
+ivec2 plainCorner(vec2 place, out vec2 t) {
+  vec2 low = floor(place);
+  t = place - low;
+  return ivec2(low);
+}
+
 // Cells a step.
 vec2 carryingVelocity(vec2 place) {
-  vec2 inside = insideField(place);
-  ivec2 low;
-  vec2 t;
-  bilinear(inside - vec2(0.0, 0.5), ivec2(wind.width + 1, wind.height), low, t);
+  ivec2 low, lowZ;
+  vec2 t, tz;
+  if (isDeepInside(place)) {
+    low = plainCorner(place - vec2(0.0, 0.5), t);
+    lowZ = plainCorner(place - vec2(0.5, 0.0), tz);
+  } else {
+    vec2 inside = insideField(place);
+    bilinear(inside - vec2(0.0, 0.5), ivec2(wind.width + 1, wind.height), low, t);
+    bilinear(inside - vec2(0.5, 0.0), ivec2(wind.width, wind.height + 1), lowZ, tz);
+  }
   float u = blend(CORNERS(velocity, uAt(low.x, low.y)), t);
-  bilinear(inside - vec2(0.5, 0.0), ivec2(wind.width, wind.height + 1), low, t);
-  float w = blend(CORNERS(velocity, wAt(low.x, low.y)), t);
+  float w = blend(CORNERS(velocity, wAt(lowZ.x, lowZ.y)), tz);
   return vec2(u * (wind.dt * wind.perHx), w * (wind.dt * wind.perHz));
 }
 
@@ -75,11 +91,19 @@ vec2 velocityOnZ(int i, int k) {
 // Index and weights for reading a carried array at a position.
 int carriedU(vec2 place, out vec2 t) {
   ivec2 low;
+  if (isDeepInside(place)) {
+    low = plainCorner(place - vec2(0.0, 0.5), t);
+    return uAt(low.x, low.y);
+  }
   bilinear(withinReach(place) - vec2(0.0, 0.5), ivec2(wind.width + 1, wind.height), low, t);
   return uAt(low.x, low.y);
 }
 int carriedW(vec2 place, out vec2 t) {
   ivec2 low;
+  if (isDeepInside(place)) {
+    low = plainCorner(place - vec2(0.5, 0.0), t);
+    return wAt(low.x, low.y);
+  }
   bilinear(withinReach(place) - vec2(0.5, 0.0), ivec2(wind.width, wind.height + 1), low, t);
   return wAt(low.x, low.y);
 }
