@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "engine/wind/cpu_tasks.hpp"
+#include "engine/wind/dense_inverse.hpp"
 #include "shaders/shared/wind_constants.h"
 
 namespace windloom {
@@ -106,7 +107,9 @@ void CpuMultigrid::rebuild(const WindGrid& grid) {
   m_zMax = grid.zMax;
   m_levels.clear();
   glm::vec2 cell(grid.hx, grid.hz);
-  for (const PressureLevel& source : buildPressureLevels(grid)) {
+  const std::vector<PressureLevel> sources = buildPressureLevels(grid);
+  m_lastInverse = denseInverse(sources.back());
+  for (const PressureLevel& source : sources) {
     cell *= glm::vec2(source.factorX, source.factorZ);
     m_levels.push_back(levelOf(source, grid, {cell.y / cell.x, cell.x / cell.y}));
   }
@@ -149,6 +152,17 @@ LevelProducts CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
   return sum;
 }
 
+void CpuMultigrid::solveLast() {
+  CpuLevel& level = m_levels.back();
+  const std::size_t w = static_cast<std::size_t>(level.width), count = w * static_cast<std::size_t>(level.height);
+  std::vector<float> d(count, 0.0f);
+  for (std::size_t c = 0; c < count; ++c) {
+    const float b = level.b.at(static_cast<int>(c % w), static_cast<int>(c / w));
+    for (std::size_t r = 0; r < count; ++r) d[r] += m_lastInverse[c * count + r] * b;
+  }
+  for (int k = 0; k < level.height; ++k) std::copy_n(&d[static_cast<std::size_t>(k) * w], w, level.d.row(k));
+}
+
 /// One V-cycle for the present b from d = 0. `joins`: it isn't the first of its solve.
 LevelProducts CpuMultigrid::cycle(ThreadPool& pool, bool joins) {
   const std::size_t last = m_levels.size() - 1;
@@ -156,8 +170,7 @@ LevelProducts CpuMultigrid::cycle(ThreadPool& pool, bool joins) {
   for (std::size_t l = 0; l < last; ++l) {
     run(pool, {&m_levels[l], &m_levels[l + 1], PassStart::Zero, PassEnd::Restrict, kDown});
   }
-  CpuLevel& single = m_levels[last];
-  single.d.at(0, 0) = -single.b.at(0, 0) * single.inverse.at(0, 0);
+  solveLast();
   LevelProducts products;
   for (std::size_t l = last; l-- > 0;) {
     setGhosts(m_levels[l + 1].d);
@@ -226,7 +239,7 @@ void CpuMultigrid::sweep(ThreadPool& pool, int sweeps) {
 }
 
 std::size_t CpuMultigrid::memoryBytes() const {
-  std::size_t sum = m_solution.bytes() + m_direction.bytes();
+  std::size_t sum = m_solution.bytes() + m_direction.bytes() + m_lastInverse.size() * sizeof(float);
   for (const CpuLevel& l : m_levels) {
     for (const CpuPlane* p :
          {&l.d, &l.b, &l.next, &l.cx, &l.cz, &l.shareX, &l.shareZ, &l.inverse, &l.applied, &l.lastApplied}) {

@@ -33,12 +33,14 @@ class CpuMultigrid {
   LevelProducts cycle(ThreadPool& pool, bool joins);
   LevelProducts run(ThreadPool& pool, const LevelPass& pass);
   void advance(ThreadPool& pool, float alpha, float beta, bool joins);
+  void solveLast();
   void setGhosts(CpuPlane& plane) const;
 
   Border m_xMin = Border::Open, m_xMax = Border::Open, m_zMin = Border::Open, m_zMax = Border::Open;
   std::vector<CpuLevel> m_levels;
   CpuPlane m_solution, m_direction;
   float m_factor = 0;
+  std::vector<float> m_lastInverse;  // d of the last level is this times its b
   std::vector<LevelProducts> m_products;
 };
 

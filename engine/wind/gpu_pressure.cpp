@@ -7,6 +7,7 @@
 #include <glm/gtc/packing.hpp>
 #include <iterator>
 
+#include "engine/wind/dense_inverse.hpp"
 #include "engine/wind/gpu_programs.hpp"
 
 namespace windloom {
@@ -53,10 +54,12 @@ std::vector<shared::uint> packFaces(const PressureLevel& level) {
 }
 
 /// Floats of shared memory the tail needs from level `first` on: d and its 0, right-hand sides of all but the first
-/// level, and their nodes.
+/// level, and their nodes; the inverse of the last level and its right-hand side.
 struct TailSize {
-  std::size_t cells = 0, first = 0, nodes = 0;
-  [[nodiscard]] std::size_t bytes() const { return (cells + 1 + cells - first + 1 + nodes) * sizeof(float); }
+  std::size_t cells = 0, first = 0, nodes = 0, last = 0;
+  [[nodiscard]] std::size_t bytes() const {
+    return (cells + 1 + cells - first + 1 + nodes + last * last + last) * sizeof(float);
+  }
 };
 TailSize tailSize(std::span<const PressureLevel> levels, std::size_t first) {
   TailSize size;
@@ -66,6 +69,7 @@ TailSize tailSize(std::span<const PressureLevel> levels, std::size_t first) {
     size.nodes += nodeCount(level);
   }
   size.nodes -= nodeCount(levels[first]);
+  size.last = cellCount(levels.back());
   return size;
 }
 
@@ -163,12 +167,19 @@ Status GpuPressure::makeTail(std::span<const PressureLevel> levels, std::size_t 
   }
   if (Status made = make(m_tail.flux, "wind tail flux", bytes); !made) return made;
   if (Status made = make(m_tail.d, "wind tail result", bytes); !made) return made;
+  const std::vector<float> inverse = denseInverse(levels.back());
+  if (Status made = make(m_lastInverse, "wind last inverse", inverse.size() * sizeof(float), gpu::BufferUse::Static,
+                         inverse.data());
+      !made) {
+    return made;
+  }
   const TailSize size = tailSize(levels, first);
   std::size_t widest = 0;
   for (const PressureLevel& level : levels.subspan(first)) widest = std::max(widest, cellCount(level));
   const std::size_t strides = (widest + WIND_TAIL_GROUP - 1) / WIND_TAIL_GROUP;
   m_tailDefines = "TAIL_CELLS=" + std::to_string(size.cells) + " TAIL_FIRST=" + std::to_string(size.first) +
-                  " TAIL_NODES=" + std::to_string(std::max<std::size_t>(size.nodes, 1)) + " TAIL_STRIDES=" + std::to_string(strides);
+                  " TAIL_NODES=" + std::to_string(std::max<std::size_t>(size.nodes, 1)) +
+                  " TAIL_STRIDES=" + std::to_string(strides) + " TAIL_LAST=" + std::to_string(size.last);
   return Done{};
 }
 
@@ -238,6 +249,7 @@ Status GpuPressure::loadPrograms() {
   gpu::ProgramSpec tail = windProgram("wind/pressure tail");
   tail.defines = m_tailDefines;
   m_runTail = load(tail);
+  m_adopt = load(windProgram("wind/adopt"));
   m_jacobiFirst = load(windProgram("wind/jacobi first"));
   m_jacobi = load(windProgram("wind/jacobi"));
   m_project = load(windProgram("wind/project"));
@@ -293,11 +305,12 @@ void GpuPressure::runTail(const gpu::Buffer& control) {
   m_tail.faces.bindStorage(WIND_SSBO_FACES);
   m_tail.flux.bindStorage(WIND_SSBO_FLUX);
   m_tail.d.bindStorage(WIND_SSBO_D_OUT);
+  m_lastInverse.bindStorage(WIND_SSBO_DENSE);
   m_runTail->dispatchIndirect(control, commandOffset(WIND_COMMAND_TAIL));
 }
 
-void GpuPressure::solveMultigrid(const GpuFields& fields, int cycles) {
-  const gpu::Buffer& control = fields.control;
+/// From the flux to `cycles` V-cycles.
+void GpuPressure::recordCycles(const gpu::Buffer& control, int cycles) {
   std::size_t next = goDown(0, *m_first, nullptr);
   afterLastPass();
   m_first->dispatchIndirect(control, commandOffset(WIND_COMMAND_FIRST));  // where the expected pressure is of no use
@@ -307,6 +320,16 @@ void GpuPressure::solveMultigrid(const GpuFields& fields, int cycles) {
     runTail(control);
     for (std::size_t l = m_levels.size(); l-- > 0;) goUp(l, control);
   }
+}
+
+void GpuPressure::solveMultigrid(const GpuFields& fields, SolveStart start, int cycles) {
+  if (start == SolveStart::Cold) {
+    recordCycles(fields.control, 1);
+    afterLastPass();
+    m_d.bindStorage(WIND_SSBO_D_IN);
+    m_adopt->dispatchOver({fields.width(), fields.height()});
+  }
+  recordCycles(fields.control, cycles);
 }
 
 void GpuPressure::solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps) {
@@ -328,16 +351,17 @@ void GpuPressure::solveJacobi(const GpuFields& fields, const gpu::Buffer& spare,
   }
 }
 
-void GpuPressure::solve(const GpuFields& fields, const gpu::Buffer& star, int cycles) {
+void GpuPressure::solve(const GpuFields& fields, const gpu::Buffer& star, SolveStart start, int cycles) {
   m_allLevels.bindUniform(WIND_UBO_LEVELS);
   star.bindStorage(WIND_SSBO_VELOCITY);
   m_predicted.bindStorage(WIND_SSBO_PREDICTED);
+  m_phi.bindStorage(WIND_SSBO_PHI);
   fields.control.bindStorage(WIND_SSBO_CONTROL);
   const gpu::Buffer& spare = bindScratch(fields, star);
   if (fields.solver.pressure == Pressure::Jacobi) {
     solveJacobi(fields, spare, fields.solver.jacobiSweeps);
   } else {
-    solveMultigrid(fields, cycles);
+    solveMultigrid(fields, start, cycles);
   }
 }
 
@@ -371,7 +395,7 @@ void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, cons
 }
 
 std::size_t GpuPressure::memoryBytes() const {
-  std::size_t sum = m_levelBlocks.bytes() + m_allLevels.bytes();
+  std::size_t sum = m_levelBlocks.bytes() + m_allLevels.bytes() + m_lastInverse.bytes();
   for (const gpu::Buffer* b : {&m_phi, &m_predicted, &m_d, &m_flux, &m_tail.faces, &m_tail.flux, &m_tail.d})
     sum += b->bytes();
   for (const Level& level : m_levels) {

@@ -12,6 +12,8 @@
 
 namespace windloom {
 
+enum class SolveStart { Warm, Cold };  ///< Cold: no step came before
+
 class GpuPressure {
  public:
   /// Fails with Machine: no memory, or a shader that doesn't compile.
@@ -21,8 +23,8 @@ class GpuPressure {
   Status rebuild(GpuFields& fields);
 
   /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from what the steps before make
-  /// one expect. The GPU skips cycles once it has converged.
-  void solve(const GpuFields& fields, const gpu::Buffer& star, int cycles);
+  /// one expect; where there were none, from one cycle more. The GPU skips cycles once it has converged.
+  void solve(const GpuFields& fields, const gpu::Buffer& star, SolveStart start, int cycles);
 
   /// u = q* - gradient of the pressure into `result` with ghosts, cell velocities and the numbers of the step.
   void project(const GpuFields& fields, const gpu::Buffer& star, const gpu::Buffer& result);
@@ -38,7 +40,8 @@ class GpuPressure {
   Status makeTail(std::span<const PressureLevel> levels, std::size_t first);
   Status sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid);
   Status loadPrograms();
-  void solveMultigrid(const GpuFields& fields, int cycles);
+  void solveMultigrid(const GpuFields& fields, SolveStart start, int cycles);
+  void recordCycles(const gpu::Buffer& control, int cycles);
   void solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps);
   std::size_t goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control);
   void goUp(std::size_t level, const gpu::Buffer& control);
@@ -54,13 +57,14 @@ class GpuPressure {
   Level m_tail;                 // its first level; faces: of all its levels
   gpu::Buffer m_levelBlocks;    // one every 256 bytes
   gpu::Buffer m_allLevels;      // one after the other
+  gpu::Buffer m_lastInverse;    // of the last level, see denseInverse()
   std::string m_tailDefines;
   gpu::Buffer m_phi;        // the last step's pressure
   gpu::Buffer m_predicted;  // what this step's is expected to be
   gpu::Buffer m_d;          // level 0: what the cycle found
   gpu::Buffer m_flux;       // residual of level 0 in even cycles
   const gpu::Program *m_first = nullptr, *m_again = nullptr, *m_down = nullptr, *m_up = nullptr, *m_top = nullptr;
-  const gpu::Program *m_runTail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
+  const gpu::Program *m_adopt = nullptr, *m_runTail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
   const gpu::Program *m_project = nullptr, *m_projectJacobi = nullptr;
 };
 

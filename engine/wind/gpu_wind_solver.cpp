@@ -124,7 +124,8 @@ void GpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
   m_fields.bindShared();
   const gpu::Buffer& star = m_transport.run(m_fields, m_arrows, m_timer);
   m_timer.stage("pressure");
-  m_pressure.solve(m_fields, star, m_cycles.plan(step, m_fields.solver.maxCycles));
+  m_pressure.solve(m_fields, star, step == 1 ? SolveStart::Cold : SolveStart::Warm,
+                   m_cycles.plan(step, m_fields.solver.maxCycles));
   m_timer.stage("projection");
   m_pressure.project(m_fields, star, m_fields.velocity);
   if (timed) m_timer.endFrame();

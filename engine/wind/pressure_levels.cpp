@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "shaders/shared/wind_constants.h"
+
 namespace windloom {
 namespace {
 
@@ -150,7 +152,8 @@ std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, FinestLevel
   }
   for (;;) {
     const glm::ivec2 factor = coarseningOf({geometry.width, geometry.height}, geometry.cellSize);
-    if (factor == glm::ivec2(1)) return levels;
+    const bool small = geometry.width * geometry.height <= WIND_DENSE_CELLS && levels.size() > 1;
+    if (small || factor == glm::ivec2(1)) return levels;
     geometry = coarsen(geometry, factor);
     levels.push_back(levelOf(geometry, grid, factor));
   }

@@ -22,7 +22,7 @@ struct PressureLevel {
 
 enum class FinestLevel { Full, SizeOnly };  ///< SizeOnly: the arrays of level 0 stay empty
 
-/// Level 0 is the grid itself, the last one has a single cell.
+/// Level 0 is the grid itself, the last one, which is solved exactly, has at most WIND_DENSE_CELLS cells.
 std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, FinestLevel finest = FinestLevel::Full);
 
 }  // namespace windloom

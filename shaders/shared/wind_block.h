@@ -49,6 +49,7 @@ WL_SHARED_BEGIN
 // Storage buffers of the pressure passes.
 #define WIND_SSBO_PHI 1            // the last step's
 #define WIND_SSBO_D_IN 2
+#define WIND_SSBO_DENSE 3          // the inverse of the last level
 #define WIND_SSBO_D_OUT 4
 #define WIND_SSBO_FLUX 5
 #define WIND_SSBO_FACES 6

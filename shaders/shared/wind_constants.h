@@ -18,5 +18,6 @@
 #define WIND_SMOOTH_DOWN 0.8f
 #define WIND_SWEEPS_UP 5
 #define WIND_SMOOTH_FROM 0.3f
+#define WIND_DENSE_CELLS 64          // levels of at most so many cells are solved exactly
 
 #endif

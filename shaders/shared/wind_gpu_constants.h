@@ -6,10 +6,10 @@
 
 // Work-group of the passes that work on faces and cells one by one.
 #define WIND_GROUP_X 32
-#define WIND_GROUP_Z 8
+#define WIND_GROUP_Z 16
 
 // The last pass: cells along z of each invocation, so that few partial sums are left.
-#define WIND_PROJECT_STRIP 4
+#define WIND_PROJECT_STRIP 1
 
 // Work-group of the force pass: all but its first row and column write faces.
 #define WIND_FORCE_GROUP_X 32
@@ -31,7 +31,7 @@
 #define WIND_DOWN_INNER(REGION) (((REGION) - 4) / 2 - 2)
 
 // Levels from this many cells down are solved together by one work-group of WIND_TAIL_GROUP invocations.
-#define WIND_TAIL_CELLS 4096
+#define WIND_TAIL_CELLS 1024
 #define WIND_TAIL_GROUP 1024
 #define WIND_MAX_LEVELS 24
 

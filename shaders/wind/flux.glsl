@@ -4,7 +4,6 @@
 #define SUM_ADDED 3
 #include "shaders/wind/sums.glsl"
 #include "shaders/wind/solve_control.glsl"
-#include "shaders/wind/gradient.glsl"
 
 layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]; };
 layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
@@ -15,41 +14,32 @@ vec4 facesOfCell(ivec2 place) {
   return vec4(star[u], star[u + 1], star[w], star[w + wind.stride]);
 }
 
-// b of the strip from the velocity without the expected pressure; adds up f0^2, b^2 and speed^2.
+// b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2. What the pressure's
+// gradient carries out of a cell is summed from differences, which are exact where it is smooth.
 void loadFlux(inout float sums[SUM_COUNT]) {
   bool kept = control.history != 0u;
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
     loadStencil(n, place);
     cells[n].d = place.x >= 0 && kept ? predicted[levelCell(place)] : 0.0;
+    cells[n].b = 0.0;
+    if (place.x < 0) continue;
+    int u = uAt(place.x, place.y), w = wAt(place.x, place.y);
+    float speedX = star[u], speedZ = star[w];
+    cells[n].b = (star[u + 1] - speedX) * wind.hz + (star[w + wind.stride] - speedZ) * wind.hx;
+    if (isInner(n)) sums[2] += speedX * speedX + speedZ * speedZ;
   }
   regular = findRegular();
   publish();
-  int at = scratchAt(0);
+  float carried[WIND_STRIP];
+  gatherRises(carried);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    ivec2 place = wrappedPlace(n);
-    cells[n].b = 0.0;
-    if (place.x < 0) continue;
-    int mine = at + n * REGION;
-    // The rim of the region has no neighbours to read; nothing that counts comes from there.
-    vec4 around = vec4(localX() > 0 ? scratch[mine - 1] : 0.0, localX() < REGION - 1 ? scratch[mine + 1] : 0.0,
-                       localZ(n) > 0 ? scratch[mine - REGION] : 0.0,
-                       localZ(n) < REGION - 1 ? scratch[mine + REGION] : 0.0);
-    vec4 q = facesOfCell(place), p;
-    if (regular) {
-      vec4 rise = vec4(cells[n].d - around.x, around.y - cells[n].d, cells[n].d - around.z, around.w - cells[n].d);
-      p = q - rise * vec4(wind.perHx, wind.perHx, wind.perHz, wind.perHz);
-    } else {
-      p = withoutGradient(q, cells[n].flags, cells[n].d, around);
-    }
-    float before = (q.y - q.x) * wind.hz + (q.w - q.z) * wind.hx;
-    float b = (p.y - p.x) * wind.hz + (p.w - p.z) * wind.hx;
-    cells[n].b = b;
+    float before = cells[n].b;
+    cells[n].b = before - carried[n];
     if (!isInner(n)) continue;
     sums[0] += before * before;
-    sums[1] += b * b;
-    sums[2] += q.x * q.x + q.z * q.z;
-    flux[levelCell(place)] = b;
+    sums[1] += cells[n].b * cells[n].b;
+    flux[levelCell(placeOf(n))] = cells[n].b;
   }
   barrier();
 }

@@ -3,7 +3,7 @@
 // 6. Everything that is read more than once is fetched at the start, since a look into the GPU's memory takes longer
 // than a sweep.
 // TAIL_CELLS, TAIL_FIRST, TAIL_NODES: cells of all levels, cells of the first one, nodes of all but the first one.
-// TAIL_STRIDES: cells of the first level per invocation.
+// TAIL_STRIDES: cells of the first level per invocation. TAIL_LAST: cells of the last level, which is solved exactly.
 #include "shaders/wind/block.glsl"
 #include "shaders/wind/level_faces.glsl"
 
@@ -13,9 +13,12 @@ layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { uint faces[]; 
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer DOut { float dOut[]; };
 
+layout(std430, binding = WIND_SSBO_DENSE) readonly buffer Dense { float lastInverse[]; };
+
 shared uint nodes[TAIL_NODES];
 shared float d[TAIL_CELLS + 1];                 // the last one is the 0 of what lies outside
 shared float rhs[TAIL_CELLS - TAIL_FIRST + 1];  // of all levels but the first
+shared float dense[TAIL_LAST * TAIL_LAST], lastRhs[TAIL_LAST];
 float firstRhs[TAIL_STRIDES];
 uvec3 firstNodes[TAIL_STRIDES];  // a cell's own, the next along x, the next along z
 
@@ -139,10 +142,23 @@ void goUp(WindLevel l, WindLevel next) {
   for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(l, smoothingWeight(m));
 }
 
+void solveLast(int firstCell) {
+  int row = int(gl_LocalInvocationIndex);
+  if (row < TAIL_LAST) lastRhs[row] = stencils[0].b;
+  barrier();
+  if (row < TAIL_LAST) {
+    float sum = 0.0;
+    for (int n = 0; n < TAIL_LAST; ++n) sum += dense[n * TAIL_LAST + row] * lastRhs[n];
+    d[firstCell + row] = sum;
+  }
+  barrier();
+}
+
 void main() {
   int first = wind.ownLevels, last = wind.allLevels - 1;
   int width = levels[first].width, firstCount = (width + 1) * (levels[first].height + 1);
   for (int n = int(gl_LocalInvocationIndex); n < TAIL_NODES; n += WIND_TAIL_GROUP) nodes[n] = faces[firstCount + n];
+  for (int n = int(gl_LocalInvocationIndex); n < TAIL_LAST * TAIL_LAST; n += WIND_TAIL_GROUP) dense[n] = lastInverse[n];
   for (int n = 0; n < TAIL_STRIDES; ++n) {
     if (cellOf(n) >= TAIL_FIRST) break;
     int node = cellOf(n) + cellOf(n) / width;  // a row has one node more than cells
@@ -156,8 +172,7 @@ void main() {
     goDown(levels[l], levels[l + 1]);
   }
   takeLevel(levels[last]);
-  if (gl_LocalInvocationIndex == 0u) d[levels[last].cells] = -stencils[0].b * stencils[0].inverse;
-  barrier();
+  solveLast(levels[last].cells);
   for (int l = last - 1; l >= first; --l) {
     takeLevel(levels[l]);
     goUp(levels[l], levels[l + 1]);

@@ -60,14 +60,22 @@ struct Solution {
 };
 Solution solution;
 
-// What the solve adds to the expected pressure of a cell, and both together.
+// What the solve adds to the expected pressure of a cell, as a part of addedScale(): after a single cycle its scale is
+// left out until differences are taken, so that it adds no rounding.
 float addedAt(int at) {
 #ifdef JACOBI
   return d[at];
 #else
   if (!solution.any) return 0.0;
-  if (!solution.more) return solution.alpha * d[at];
+  if (!solution.more) return d[at];
   return joined[wind.width * wind.height + at] + solution.alpha * (d[at] - solution.beta * joined[at]);
+#endif
+}
+float addedScale() {
+#ifdef JACOBI
+  return 1.0;
+#else
+  return solution.more ? 1.0 : solution.alpha;
 #endif
 }
 float expectedAt(int at) { return solution.kept ? predicted[at] : 0.0; }
@@ -82,9 +90,9 @@ void report(float total[SUM_COUNT]) {
 }
 
 // The faces of a cell with nothing but air around it, without the gradient of a pressure.
-vec4 withoutPlainGradient(vec4 q, float p, vec4 around) {
+vec4 withoutPlainGradient(vec4 q, float p, vec4 around, float scale) {
   vec4 rise = vec4(p - around.x, around.y - p, p - around.z, around.w - p);
-  vec4 next = q - rise * vec4(wind.perHx, wind.perHx, wind.perHz, wind.perHz);
+  vec4 next = q - rise * (scale * vec4(wind.perHx, wind.perHx, wind.perHz, wind.perHz));
   return vec4(finiteOr(next.x, q.x), finiteOr(next.y, q.y), finiteOr(next.z, q.z), finiteOr(next.w, q.w));
 }
 
@@ -100,14 +108,14 @@ void projectCell(int i, int k, inout float sums[SUM_COUNT]) {
   bool inside = i > 0 && k > 0 && i < wind.width - 1 && k < wind.height - 1;
   if (inside && (flags & WIND_ALL_LINKS) == WIND_ALL_LINKS) {
     ivec4 beside = ivec4(at - 1, at + 1, at - wind.width, at + wind.width);
-    q = withoutPlainGradient(q, expected, expectedAround(beside));
-    q = withoutPlainGradient(q, added, addedAround(beside));
+    q = withoutPlainGradient(q, expected, expectedAround(beside), 1.0);
+    q = withoutPlainGradient(q, added, addedAround(beside), addedScale());
   } else {
     ivec4 beside = neighboursOf(at, i, k);
-    q = withoutGradient(q, flags, expected, expectedAround(beside));
-    q = withoutGradient(q, flags, added, addedAround(beside));
+    q = withoutGradient(q, flags, expected, expectedAround(beside), 1.0);
+    q = withoutGradient(q, flags, added, addedAround(beside), addedScale());
   }
-  float pressure = finiteOr(expected + added, 0.0);
+  float pressure = finiteOr(expected + addedScale() * added, 0.0);
   nextPredicted[at] = solution.kept ? 2.0 * pressure - phi[at] : pressure;
   phi[at] = pressure;
   storeU(i, k, q.x);

@@ -129,8 +129,8 @@ void publish() {
   barrier();
 }
 
-// Sum of conductance times neighbour of each cell of the strip, from what was published.
-void gather(out float sums[WIND_STRIP]) {
+// The neighbours' d of each cell of the strip: x low, x high, z low, z high, from what was published.
+void lookAround(out vec4 around[WIND_STRIP]) {
   int at = scratchAt(0);
   int toLow = localX() > 0 ? -1 : 0, toHigh = localX() < REGION - 1 ? 1 : 0;
   float before = localZ(0) > 0 ? scratch[at - REGION] : 0.0;
@@ -139,9 +139,43 @@ void gather(out float sums[WIND_STRIP]) {
     int mine = at + n * REGION;
     float zLow = n > 0 ? cells[max(n - 1, 0)].d : before;
     float zHigh = n < WIND_STRIP - 1 ? cells[min(n + 1, WIND_STRIP - 1)].d : after;
-    sums[n] = neighbours(n, scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
+    around[n] = vec4(scratch[mine + toLow], scratch[mine + toHigh], zLow, zHigh);
   }
 }
+
+// Sum of conductance times neighbour of each cell of the strip.
+void gather(out float sums[WIND_STRIP]) {
+  vec4 around[WIND_STRIP];
+  lookAround(around);
+  for (int n = 0; n < WIND_STRIP; ++n) sums[n] = neighbours(n, around[n].x, around[n].y, around[n].z, around[n].w);
+}
+
+#ifdef LEVEL0
+// How far d rises from one cell to the next, or to the ground half a cell away.
+float riseTo(int n, float next, uint link, uint ground) {
+  float own = cells[n].d;
+  return (cells[n].flags & link) != 0u ? next - own : (cells[n].flags & ground) != 0u ? -2.0 * own : 0.0;
+}
+
+// A d of each cell of the strip, from differences.
+void gatherRises(out float sums[WIND_STRIP]) {
+  vec4 around[WIND_STRIP];
+  lookAround(around);
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    float x, z;
+    if (regular) {
+      x = (around[n].x - cells[n].d) + (around[n].y - cells[n].d);
+      z = (around[n].z - cells[n].d) + (around[n].w - cells[n].d);
+    } else {
+      x = riseTo(n, around[n].x, WIND_LINK_X_LOW, WIND_GROUND_X_LOW) +
+          riseTo(n, around[n].y, WIND_LINK_X_HIGH, WIND_GROUND_X_HIGH);
+      z = riseTo(n, around[n].z, WIND_LINK_Z_LOW, WIND_GROUND_Z_LOW) +
+          riseTo(n, around[n].w, WIND_LINK_Z_HIGH, WIND_GROUND_Z_HIGH);
+    }
+    sums[n] = x * level.scaleX + z * level.scaleZ;
+  }
+}
+#endif
 
 // d += weight (D^-1 (sum - b) - d), all cells at once.
 void sweep(float weight) {
