@@ -35,10 +35,11 @@ bool GpuArrows::sameShapes(std::span<const ArrowForce> arrows) const {
                     });
 }
 
-void GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
+bool GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
+  const bool hadSome = fields.block.tileColumns > 0;
   if (arrows.empty()) {
-    fields.block.tileColumns = 0;
-    return;
+    fields.block.tileColumns = fields.block.busyTiles = 0;
+    return hadSome;
   }
   const glm::vec2 corner = fields.grid.mapping.minCorner;
   const bool rebin = m_startBuffer.bytes() == 0 || corner != m_corner || !sameShapes(arrows);
@@ -48,11 +49,18 @@ void GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
   if (rebin && sent) {
     binArrows(fields.grid, arrows, m_tiles);
     m_corner = corner;
+    m_busy.clear();
+    for (std::size_t t = 0; t + 1 < m_tiles.start.size(); ++t) {
+      if (m_tiles.start[t] < m_tiles.start[t + 1]) m_busy.push_back(static_cast<std::uint32_t>(t));
+    }
     sent = writeGrowing(m_startBuffer, "wind tile starts", m_tiles.start) &&
-           writeGrowing(m_indexBuffer, "wind tile arrows", m_tiles.indices);
+           writeGrowing(m_indexBuffer, "wind tile arrows", m_tiles.indices) &&
+           writeGrowing(m_busyBuffer, "wind busy tiles", m_busy);
   }
   fields.block.tileColumns = sent ? m_tiles.columns : 0;
   fields.block.tileSide = m_tiles.cellsPerSide;
+  fields.block.busyTiles = sent ? static_cast<int>(m_busy.size()) : 0;
+  return rebin || !hadSome;
 }
 
 void GpuArrows::bind() const {
@@ -60,6 +68,7 @@ void GpuArrows::bind() const {
   m_arrowBuffer.bindStorage(WIND_SSBO_ARROWS);
   m_startBuffer.bindStorage(WIND_SSBO_TILE_START);
   m_indexBuffer.bindStorage(WIND_SSBO_TILE_ARROWS);
+  m_busyBuffer.bindStorage(WIND_SSBO_BUSY_TILES);
 }
 
 }  // namespace windloom

@@ -13,11 +13,11 @@ namespace windloom {
 class GpuArrows {
  public:
   /// Sends what changed since the last call, and says in `fields.block` how to find it. Where the GPU has no memory for
-  /// the lists the old arrows stay and the failure goes to the log.
-  void send(GpuFields& fields, std::span<const ArrowForce> arrows);
+  /// the lists the old arrows stay and the failure goes to the log. Answers whether arrows moved, came or went.
+  bool send(GpuFields& fields, std::span<const ArrowForce> arrows);
   void bind() const;
   [[nodiscard]] std::size_t memoryBytes() const {
-    return m_arrowBuffer.bytes() + m_startBuffer.bytes() + m_indexBuffer.bytes();
+    return m_arrowBuffer.bytes() + m_startBuffer.bytes() + m_indexBuffer.bytes() + m_busyBuffer.bytes();
   }
 
  private:
@@ -25,7 +25,8 @@ class GpuArrows {
   std::vector<ArrowForce> m_sent;
   glm::vec2 m_corner{0};
   ArrowTiles m_tiles;
-  gpu::Buffer m_arrowBuffer, m_startBuffer, m_indexBuffer;
+  std::vector<std::uint32_t> m_busy;  // tiles that an arrow reaches
+  gpu::Buffer m_arrowBuffer, m_startBuffer, m_indexBuffer, m_busyBuffer;
 };
 
 }  // namespace windloom

@@ -4,6 +4,7 @@
 
 namespace windloom {
 namespace {
+constexpr double kComfortable = 0.6;  // of the wanted residual: below this a step needed no more
 constexpr long kMemory =
     32;  // steps; long enough to bridge the beat of two colliding whirls, short enough to calm down
 }
@@ -13,10 +14,11 @@ void GpuCycles::forget(long nextStep) {
   m_since = nextStep;
 }
 
-void GpuCycles::learn(long step, int cycles, bool converged) {
+void GpuCycles::learn(long step, int cycles, double residual) {
   if (step < m_since) return;
-  // Without convergence one more may not be enough: the error of a sudden gust takes about two.
-  m_known.push_back({step, converged ? cycles : cycles + 2});
+  // One to spare where it was close. Without convergence one more may not be enough: the error of a sudden gust takes
+  // about two.
+  m_known.push_back({step, !(residual <= 1) ? cycles + 2 : residual > kComfortable ? cycles + 1 : cycles});
   while (!m_known.empty() && m_known.front().step + kMemory + kDelay < step) m_known.pop_front();
 }
 
@@ -27,7 +29,7 @@ int GpuCycles::plan(long step, int limit) const {
     if (age >= kDelay && age < kDelay + kMemory) needed = std::max(needed, known.needed);
   }
   if (needed < 0) return limit;
-  return std::clamp(needed + 1, 1, std::max(limit, 1));  // one to spare: a step may need more than any before it
+  return std::clamp(needed, 1, std::max(limit, 1));
 }
 
 }  // namespace windloom

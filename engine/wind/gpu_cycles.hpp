@@ -15,8 +15,8 @@ class GpuCycles {
   /// Everything known so far doesn't tell about what comes: a restart, a field from outside, other solids.
   void forget(long nextStep);
 
-  /// What step `step` needed: it stopped after `cycles`, converged or not.
-  void learn(long step, int cycles, bool converged);
+  /// What step `step` needed: it stopped after `cycles`, with a residual of so many times the wanted one.
+  void learn(long step, int cycles, double residual);
 
   /// Cycles to record for `step`, at most `limit`.
   [[nodiscard]] int plan(long step, int limit) const;

@@ -79,6 +79,10 @@ Result<GpuFields> GpuFields::create(const WindSetup& setup) {
                             {&f.first, "wind first advection", velocityBytes, gpu::BufferUse::Static},
                             {&f.moved, "wind moved", velocityBytes, gpu::BufferUse::Static},
                             {&f.control, "wind control", sizeof(shared::WindControl), gpu::BufferUse::Dynamic},
+                            {&f.flags, "wind cell flags", (f.grid.solid.size() + 1) / 2 * sizeof(shared::uint),
+                             gpu::BufferUse::Dynamic},
+                            {&f.gustTable, "wind gust table", sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE,
+                             gpu::BufferUse::Dynamic},
                             {&f.sums, "wind sums", sumFloats(f.grid) * sizeof(float), gpu::BufferUse::Static},
                             {&f.blockBuffer, "wind block", sizeof(shared::WindBlock), gpu::BufferUse::Dynamic}};
   for (const Wanted& wanted : buffers) {
@@ -86,31 +90,23 @@ Result<GpuFields> GpuFields::create(const WindSetup& setup) {
     if (!made) return made.error();
     *wanted.buffer = std::move(*made);
   }
-  Result<gpu::Texture> flags =
-      gpu::Texture::create2D("wind cell flags", size, GL_R16UI, {.filter = gpu::Filter::Nearest});
-  if (!flags) return flags.error();
-  f.flags = std::move(*flags);
   Result<gpu::Texture> cells = gpu::Texture::create2D("wind cell velocity", size, GL_RG32F);
   if (!cells) return cells.error();
   f.cells = std::move(*cells);
-  Result<gpu::Texture> gusts = gpu::Texture::create2D("wind gust table", glm::ivec2(WIND_GUST_TABLE), GL_RG32F,
-                                                      {.filter = gpu::Filter::Nearest});
-  if (!gusts) return gusts.error();
-  f.gustTable = std::move(*gusts);
   f.applySettings(setup);
   f.uploadFlags();
   return f;
 }
 
 void GpuFields::uploadFlags() {
-  std::vector<std::uint16_t> values(grid.solid.size());
+  std::vector<std::uint16_t> values((grid.solid.size() + 1) / 2 * 2, 0);
   for (int k = 0; k < grid.height; ++k) {
     for (int i = 0; i < grid.width; ++i) {
       values[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] =
           flagsOf(grid, i, k);
     }
   }
-  flags.upload(GL_RED_INTEGER, GL_UNSIGNED_SHORT, values.data());
+  flags.write(values.data(), values.size() * sizeof(std::uint16_t));
 }
 
 void GpuFields::applySettings(const WindSetup& setup) {
@@ -119,7 +115,8 @@ void GpuFields::applySettings(const WindSetup& setup) {
   rasteriseSolids(grid, setup.obstacles);
   if (grid.solid != old) uploadFlags();
   if (!m_hasGusts || m_gustSeed != setup.solver.seed) {
-    gustTable.upload(GL_RG, GL_FLOAT, makeGustTable(setup.solver.seed).data());
+    const std::vector<glm::vec2> table = makeGustTable(setup.solver.seed);
+    gustTable.write(table.data(), table.size() * sizeof(glm::vec2));
     m_gustSeed = setup.solver.seed;
     m_hasGusts = true;
   }
@@ -183,15 +180,16 @@ void GpuFields::sendBlock() {
 
 void GpuFields::bindShared() const {
   blockBuffer.bindUniform(WIND_UBO_BLOCK);
-  flags.bind(WIND_TEXTURE_FLAGS);
-  gustTable.bind(WIND_TEXTURE_GUSTS);
+  flags.bindStorage(WIND_SSBO_FLAGS);
   sums.bindStorage(WIND_SSBO_SUMS);
 }
 
 std::size_t GpuFields::memoryBytes() const {
-  std::size_t sum = grid.solid.size() * (sizeof(std::uint16_t) + sizeof(glm::vec2)) +
-                    sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE;
-  for (const gpu::Buffer* b : {&velocity, &carried, &first, &moved, &control, &sums, &blockBuffer}) sum += b->bytes();
+  std::size_t sum = grid.solid.size() * sizeof(glm::vec2);
+  for (const gpu::Buffer* b :
+       {&velocity, &carried, &first, &moved, &control, &sums, &blockBuffer, &flags, &gustTable}) {
+    sum += b->bytes();
+  }
   return sum;
 }
 

@@ -43,8 +43,8 @@ struct GpuFields {
   gpu::Buffer control;                ///< shared::WindControl
   gpu::Buffer sums;                   ///< of work-groups
   gpu::Buffer blockBuffer;
-  gpu::Texture flags;  ///< of cells, WIND_LINK_X_LOW and so on
-  gpu::Texture gustTable;
+  gpu::Buffer flags;  ///< of cells, WIND_LINK_X_LOW and so on, 16 bits each
+  gpu::Buffer gustTable;
   gpu::Texture cells;  ///< cell velocity, what others read
 
   /// Fails with Machine where the GPU has no memory for the grid.

@@ -311,6 +311,7 @@ void GpuPressure::runTail(const gpu::Buffer& control) {
 
 /// From the flux to `cycles` V-cycles.
 void GpuPressure::recordCycles(const gpu::Buffer& control, int cycles) {
+  m_predicted.bindStorage(WIND_SSBO_PREDICTED);
   std::size_t next = goDown(0, *m_first, nullptr);
   afterLastPass();
   m_first->dispatchIndirect(control, commandOffset(WIND_COMMAND_FIRST));  // where the expected pressure is of no use
@@ -327,6 +328,7 @@ void GpuPressure::solveMultigrid(const GpuFields& fields, SolveStart start, int 
     recordCycles(fields.control, 1);
     afterLastPass();
     m_d.bindStorage(WIND_SSBO_D_IN);
+    m_predicted.bindStorage(WIND_SSBO_PREDICTED);
     m_adopt->dispatchOver({fields.width(), fields.height()});
   }
   recordCycles(fields.control, cycles);

@@ -1,5 +1,6 @@
 #include "engine/wind/gpu_transport.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "engine/wind/cpu_viscosity.hpp"
@@ -28,6 +29,7 @@ Result<GpuTransport> GpuTransport::create(gpu::ShaderLibrary& shaders) {
   GpuTransport transport;
   const std::pair<const gpu::Program**, const char*> wanted[] = {
       {&transport.m_fill, "wind/fill"},
+      {&transport.m_arrows, "wind/arrows"},
       {&transport.m_forces, "wind/forces"},
       {&transport.m_predict, "wind/predict"},
       {&transport.m_predictSettle, "wind/predict and settle"},
@@ -57,6 +59,14 @@ void GpuTransport::force(const GpuFields& fields, const GpuArrows& arrows) const
   afterLastPass();  // velocity by the last step's projection
   arrows.bind();
   fields.velocity.bindStorage(WIND_SSBO_VELOCITY);
+  fields.first.bindStorage(WIND_SSBO_ARROW_INCREMENTS);  // free until the advection
+  fields.gustTable.bindStorage(WIND_SSBO_GUSTS);
+  if (fields.block.busyTiles > 0) {
+    const int side = fields.block.tileSide / WIND_TILE, blocks = fields.block.busyTiles * side * side;
+    constexpr int kAcross = 32768;  // work-groups along an axis are limited
+    m_arrows->dispatch(std::min(blocks, kAcross), (blocks + kAcross - 1) / kAcross);
+    afterLastPass();
+  }
   fields.carried.bindStorage(WIND_SSBO_CARRIED);
   fields.control.bindStorage(WIND_SSBO_CONTROL);
   constexpr int kAcross = WIND_FORCE_GROUP_X - 1, kAlong = WIND_FORCE_GROUP_Z - 1;

@@ -26,7 +26,7 @@ class GpuTransport {
   void advect(const GpuFields& fields, const gpu::Buffer& carried) const;
   const gpu::Buffer& diffuse(const GpuFields& fields) const;
 
-  const gpu::Program *m_fill = nullptr, *m_forces = nullptr;
+  const gpu::Program *m_fill = nullptr, *m_arrows = nullptr, *m_forces = nullptr;
   const gpu::Program *m_predict = nullptr, *m_predictSettle = nullptr, *m_correct = nullptr, *m_correctSettle = nullptr;
   const gpu::Program *m_viscosityStart = nullptr, *m_viscosity = nullptr, *m_viscositySettle = nullptr;
 };

@@ -117,7 +117,7 @@ void GpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
   takeReports(step - GpuCycles::kDelay, gpu::ReadbackRing::Wait::Yes);
   const auto layers = gustLayersAt(m_fields.ambient, time);
   if (m_fields.block.gusts > 0) std::copy(layers.begin(), layers.end(), m_fields.block.gustLayers);
-  m_arrows.send(m_fields, arrows);
+  if (m_arrows.send(m_fields, arrows)) m_cycles.forget(step);  // an artist's edit may ask for more than any step before
   m_fields.sendBlock();
   const bool timed = step % kTimedEvery == 1;
   if (timed) m_timer.beginFrame();
@@ -161,7 +161,8 @@ void GpuWindSolver::take(long step, const shared::WindControl& report) {
     const int cell = static_cast<int>(report.firstNonFinite);
     d.firstNonFinite = {cell % m_fields.width(), cell / m_fields.width()};
   }
-  m_cycles.learn(step, static_cast<int>(report.cycles), report.converged != 0);
+  const double residual = report.flux > 0 ? std::sqrt(double(report.flux) / double(report.wanted)) : 0;
+  m_cycles.learn(step, static_cast<int>(report.cycles), residual);
 }
 
 const WindDiagnostics& GpuWindSolver::diagnostics() {

@@ -31,9 +31,7 @@ WL_SHARED_BEGIN
 #define WIND_UBO_LEVEL 1   // the level at hand
 #define WIND_UBO_LEVELS 2  // all of them
 
-// Textures and images.
-#define WIND_TEXTURE_FLAGS 0
-#define WIND_TEXTURE_GUSTS 1
+// Images.
 #define WIND_IMAGE_CELLS 0
 
 // Storage buffers of the velocity passes.
@@ -45,6 +43,10 @@ WL_SHARED_BEGIN
 #define WIND_SSBO_TILE_START 5
 #define WIND_SSBO_TILE_ARROWS 6
 #define WIND_SSBO_CONTROL 7
+#define WIND_SSBO_GUSTS 8
+#define WIND_SSBO_ARROW_INCREMENTS 9
+#define WIND_SSBO_BUSY_TILES 10
+#define WIND_SSBO_FLAGS 15         // in every pass
 
 // Storage buffers of the pressure passes.
 #define WIND_SSBO_PHI 1            // the last step's
@@ -52,7 +54,8 @@ WL_SHARED_BEGIN
 #define WIND_SSBO_DENSE 3          // the inverse of the last level
 #define WIND_SSBO_D_OUT 4
 #define WIND_SSBO_FLUX 5
-#define WIND_SSBO_FACES 6
+#define WIND_SSBO_FACES 6          // not on level 0
+#define WIND_SSBO_PREDICTED 6      // on level 0 only: what phi of this step is expected to be
 #define WIND_SSBO_COARSE 8
 #define WIND_SSBO_COARSE_FACES 9
 #define WIND_SSBO_COARSER 10       // two levels down
@@ -60,7 +63,6 @@ WL_SHARED_BEGIN
 #define WIND_SSBO_APPLIED 12       // A z, then the residual of odd cycles
 #define WIND_SSBO_LAST_APPLIED 13  // A p of this cycle and the last, taking turns
 #define WIND_SSBO_JOINED 14        // p, then the solution
-#define WIND_SSBO_PREDICTED 15     // what phi of this step was expected to be
 
 struct WindBlock {
   int width, height;   // cells
@@ -89,7 +91,8 @@ struct WindBlock {
   int gusts;           // layers in use: 0 or WIND_GUST_LAYERS
   int ownLevels;       // levels of the pressure solve with passes of their own; the others make the tail
   int allLevels;
-  int paddingA, paddingB;
+  int busyTiles;       // tiles that an arrow reaches
+  int paddingA;
   WindGustLayer gustLayers[WIND_GUST_LAYERS];
 };
 

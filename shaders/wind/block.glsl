@@ -2,7 +2,7 @@
 #include "shaders/shared/wind_block.h"
 
 layout(std140, binding = WIND_UBO_BLOCK) uniform Wind { WindBlock wind; };
-layout(binding = WIND_TEXTURE_FLAGS) uniform usampler2D cellFlags;
+layout(std430, binding = WIND_SSBO_FLAGS) readonly buffer CellFlags { uint cellFlags[]; };  // two cells in each
 
 int uAt(int i, int k) { return (k + 1) * wind.stride + i + 1; }
 int wAt(int i, int k) { return wind.zFaces + (k + 1) * wind.stride + i + 1; }
@@ -11,7 +11,10 @@ int cellAt(int i, int k) { return k * wind.width + i; }
 bool periodicX() { return wind.xMin == WIND_BORDER_PERIODIC; }
 bool periodicZ() { return wind.zMin == WIND_BORDER_PERIODIC; }
 
-uint flagsOf(int i, int k) { return texelFetch(cellFlags, ivec2(i, k), 0).r; }
+uint flagsOf(int i, int k) {
+  int cell = cellAt(i, k);
+  return (cellFlags[cell >> 1] >> (16 * (cell & 1))) & 0xffffu;
+}
 
 // Whether x-face (i, k) lets air through; i in [0, W].
 bool openX(int i, int k) {

@@ -15,8 +15,9 @@ vec4 facesOfCell(ivec2 place) {
 }
 
 // b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2. What the pressure's
-// gradient carries out of a cell is summed from differences, which are exact where it is smooth.
-void loadFlux(inout float sums[SUM_COUNT]) {
+// gradient carries out of a cell is summed from differences, which are exact where it is smooth. Answers whether the
+// region is plain.
+bool loadFlux(inout float sums[SUM_COUNT]) {
   bool kept = control.history != 0u;
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
@@ -29,10 +30,14 @@ void loadFlux(inout float sums[SUM_COUNT]) {
     cells[n].b = (star[u + 1] - speedX) * wind.hz + (star[w + wind.stride] - speedZ) * wind.hx;
     if (isInner(n)) sums[2] += speedX * speedX + speedZ * speedZ;
   }
-  regular = findRegular();
+  bool plain = findPlain();
   publish();
   float carried[WIND_STRIP];
-  gatherRises(carried);
+  if (plain) {
+    gatherRises(true, carried);
+  } else {
+    gatherRises(false, carried);
+  }
   for (int n = 0; n < WIND_STRIP; ++n) {
     float before = cells[n].b;
     cells[n].b = before - carried[n];
@@ -42,6 +47,7 @@ void loadFlux(inout float sums[SUM_COUNT]) {
     flux[levelCell(placeOf(n))] = cells[n].b;
   }
   barrier();
+  return plain;
 }
 
 // Where the expected pressure makes the flux larger it is dropped, and this pass runs a second time without it.

@@ -14,7 +14,8 @@ layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control
 #include "shaders/wind/ghosts.glsl"
 #include "shaders/wind/health.glsl"
 #include "shaders/wind/cell_velocity.glsl"
-#include "shaders/wind/arrows.glsl"
+layout(std430, binding = WIND_SSBO_TILE_START) readonly buffer TileStart { uint tileStart[]; };
+layout(std430, binding = WIND_SSBO_ARROW_INCREMENTS) readonly buffer ArrowIncrements { vec2 arrowIncrements[]; };
 #include "shaders/wind/gusts.glsl"
 
 shared vec2 increments[WIND_FORCE_GROUP_Z][WIND_FORCE_GROUP_X];
@@ -62,11 +63,17 @@ vec2 confinementIncrement(ivec2 local, vec2 v) {
   return (reached > fastest ? next * sqrt(fastest / reached) : next) - v;
 }
 
+// What arrows.comp found; it leaves out tiles that no arrow reaches.
+vec2 arrowIncrement(int i, int k) {
+  int tile = (k / wind.tileSide) * wind.tileColumns + i / wind.tileSide;
+  return tileStart[tile] < tileStart[tile + 1] ? arrowIncrements[cellAt(i, k)] : vec2(0.0);
+}
+
 vec2 incrementOf(ivec2 local, int i, int k) {
   vec2 v = cellVelocity(i, k);
   vec2 place = cellCentreToWorld(vec2(i, k), wind.minCorner, vec2(wind.hx, wind.hz));
   vec2 sum = vec2(0.0);
-  if (wind.tileColumns > 0) sum += arrowIncrement(i, k, place, v);
+  if (wind.tileColumns > 0) sum += arrowIncrement(i, k);
   if (wind.gusts > 0) sum += gustIncrement(place, v);
   if (wind.confinement > 0.0) sum += confinementIncrement(local, v);
   return sum;

@@ -1,8 +1,11 @@
 // The gusts of the ambient wind. docs/solver.md section 3, engine/wind/gusts.hpp. Needs block.glsl.
 
-layout(binding = WIND_TEXTURE_GUSTS) uniform sampler2D gustTable;
+layout(std430, binding = WIND_SSBO_GUSTS) readonly buffer Gusts { vec2 gustTable[]; };
 
-vec2 gustTexel(ivec2 place) { return texelFetch(gustTable, place & (WIND_GUST_TABLE - 1), 0).rg; }
+vec2 gustTexel(ivec2 place) {
+  place &= WIND_GUST_TABLE - 1;
+  return gustTable[place.y * WIND_GUST_TABLE + place.x];
+}
 
 vec2 gustSample(vec2 place) {
   vec2 low = floor(place);

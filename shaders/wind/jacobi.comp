@@ -14,29 +14,33 @@ layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 layout(std430, binding = WIND_SSBO_D_IN) readonly buffer DIn { float dIn[]; };
 
-void load() {
+bool load() {
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
     loadStencil(n, place);
     cells[n].b = place.x >= 0 ? flux[levelCell(place)] : 0.0;
     cells[n].d = place.x >= 0 ? dIn[levelCell(place)] : 0.0;
   }
-  regular = findRegular();
+  return findPlain();
 }
 #endif
 
 void main() {
 #ifdef FIRST
   float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
-  loadFlux(sums);
+  bool plain = loadFlux(sums);
   for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, 1.0);
   const int done = 1;
 #else
-  load();
+  bool plain = load();
   const int done = 0;
 #endif
   publish();
-  for (int m = done; m < sweepCount; ++m) sweep(1.0);
+  if (plain) {
+    for (int m = done; m < sweepCount; ++m) sweep(true, 1.0);
+  } else {
+    for (int m = done; m < sweepCount; ++m) sweep(false, 1.0);
+  }
   for (int n = 0; n < WIND_STRIP; ++n) {
     if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
   }

@@ -9,7 +9,7 @@ layout(std430, binding = WIND_SSBO_LAST_APPLIED) buffer LastApplied { float last
 layout(std430, binding = WIND_SSBO_JOINED) buffer Joined { float joined[]; };
 #include "shaders/wind/halves.glsl"
 
-void loadJoined() {
+bool loadJoined() {
   uint done = control.cycles;
   float alpha = control.alpha, beta = control.beta;
   bool more = done > 1u;  // there was a p before this one
@@ -34,5 +34,5 @@ void loadJoined() {
     joined[plane + cell] = (more ? joined[plane + cell] : 0.0) + alpha * p;
     joined[cell] = p;
   }
-  regular = findRegular();
+  return findPlain();
 }

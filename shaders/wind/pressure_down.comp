@@ -21,13 +21,13 @@ layout(std430, binding = WIND_SSBO_CONTROL) readonly buffer Control { WindContro
 #else
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 
-void load() {
+bool load() {
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
     loadStencil(n, place);
     cells[n].b = place.x >= 0 ? flux[levelCell(place)] : 0.0;
   }
-  regular = findRegular();
+  return findPlain();
 }
 #endif
 
@@ -37,11 +37,11 @@ const int kRing = WIND_DOWN_INNER(REGION) + 2;
 const int kRounds = (kRing * kRing + GROUP_SIZE - 1) / GROUP_SIZE;
 
 // Leaves in `scratch` the residuals after the first sweep; those that aren't whole on their level are 0.
-void findResiduals() {
+void findResiduals(const bool plain) {
   for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, WIND_SMOOTH_DOWN);
   publish();
   float sums[WIND_STRIP];
-  gather(sums);
+  gather(plain, sums);
   barrier();
   for (int n = 0; n < WIND_STRIP; ++n) {
     // b - A d with D d = -weight b.
@@ -142,13 +142,17 @@ void restrictTwice() {
 void main() {
 #if defined(FIRST)
   float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
-  loadFlux(sums);
+  bool plain = loadFlux(sums);
 #elif defined(AGAIN)
-  loadJoined();
+  bool plain = loadJoined();
 #else
-  load();
+  bool plain = load();
 #endif
-  findResiduals();
+  if (plain) {
+    findResiduals(true);
+  } else {
+    findResiduals(false);
+  }
   if (level.pair != 0) {
     restrictTwice();
   } else {

@@ -51,7 +51,6 @@ float correctionAt(ivec2 place) {
   return sum;
 }
 
-#ifdef LEVEL0
 int wrapCoarse(int c, int count) { return c < 0 ? c + count : c < count ? c : c - count; }
 
 // Whether coarsening goes by two along both axes, and no cell of the next level is cut short by a periodic border.
@@ -77,10 +76,11 @@ void correctStrip(out float corrections[WIND_STRIP]) {
   corrections[3] = base1 + 0.25 * (high - own1);
 }
 
+#ifdef LEVEL0
 // The products r . A z, A z . A z, A z . A p and r . r of the inner cells; stores A z.
-void measure(uint cycle, inout float sums[SUM_COUNT]) {
+void measure(const bool plain, uint cycle, inout float sums[SUM_COUNT]) {
   float az[WIND_STRIP];
-  gather(az);
+  gather(plain, az);
   for (int n = 0; n < WIND_STRIP; ++n) {
     if (!isInner(n)) continue;
     int cell = levelCell(placeOf(n));
@@ -110,9 +110,18 @@ void endCycle(float sums[SUM_COUNT]) {
 }
 #endif
 
+void sweepAll(const bool plain) {
+  publish();
+  for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(plain, smoothingWeight(m));
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
+  }
+}
+
 void main() {
 #ifdef LEVEL0
   uint cycle = control.cycles;
+  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
 #endif
   for (int n = 0; n < WIND_STRIP; ++n) {
     ivec2 place = wrappedPlace(n);
@@ -124,28 +133,25 @@ void main() {
     cells[n].b = there ? flux[levelCell(place)] : 0.0;
 #endif
   }
-  regular = findRegular();
-#ifdef LEVEL0
-  if (regular && coarsensEvenly()) {
+  if (findPlain() && coarsensEvenly()) {
     float corrections[WIND_STRIP];
     correctStrip(corrections);
     for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, WIND_SMOOTH_DOWN) + corrections[n];
-  } else
+    sweepAll(true);
+#ifdef LEVEL0
+    measure(true, cycle, sums);
 #endif
-  {
+  } else {
     for (int n = 0; n < WIND_STRIP; ++n) {
       bool air = cells[n].inverse > 0.0;
       cells[n].d = air ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correctionAt(wrappedPlace(n)) : 0.0;
     }
-  }
-  publish();
-  for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(smoothingWeight(m));
-  for (int n = 0; n < WIND_STRIP; ++n) {
-    if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
+    sweepAll(false);
+#ifdef LEVEL0
+    measure(false, cycle, sums);
+#endif
   }
 #ifdef LEVEL0
-  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
-  measure(cycle, sums);
   if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums);
 #endif
 }

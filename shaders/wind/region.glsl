@@ -18,9 +18,7 @@ layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { uint faces[]; 
 
 #define GROUP_SIZE (REGION * REGION / WIND_STRIP)
 shared float scratch[REGION * REGION];
-#ifdef LEVEL0
 shared uint irregular;  // 1: some cell of the region is solid, or next to a solid or border
-#endif
 
 struct Cell {
   float d, b;
@@ -32,7 +30,10 @@ struct Cell {
 #endif
 };
 Cell cells[WIND_STRIP];
-bool regular = false;  // the whole region is, see findRegular()
+
+// Most regions hold nothing but air, and their cells differ in nothing but d and b. What follows takes as `plain`
+// whether that is so, always as a constant: two versions of the code without a choice in them are faster than one that
+// chooses at every cell.
 
 int localX() { return int(gl_LocalInvocationID.x); }
 int localZ(int n) { return int(gl_LocalInvocationID.y) * WIND_STRIP + n; }
@@ -85,8 +86,8 @@ void loadStencil(int n, ivec2 place) {
   cells[n].flags = flags;
   cells[n].inverse = inverseOf(alongX * level.scaleX + alongZ * level.scaleZ);
 }
-float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
-  if (regular) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
+float neighbours(int n, const bool plain, float xLow, float xHigh, float zLow, float zHigh) {
+  if (plain) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
   uint flags = cells[n].flags;
   float x = ((flags & WIND_LINK_X_LOW) != 0u ? xLow : 0.0) + ((flags & WIND_LINK_X_HIGH) != 0u ? xHigh : 0.0);
   float z = ((flags & WIND_LINK_Z_LOW) != 0u ? zLow : 0.0) + ((flags & WIND_LINK_Z_HIGH) != 0u ? zHigh : 0.0);
@@ -103,24 +104,29 @@ void loadStencil(int n, ivec2 place) {
   cells[n].zHigh = there ? facesOf(faces[node + level.width + 1]).y * level.scaleZ : 0.0;
   cells[n].inverse = inverseOf((cells[n].xLow + cells[n].xHigh) + (cells[n].zLow + cells[n].zHigh));
 }
-float neighbours(int n, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(int n, const bool plain, float xLow, float xHigh, float zLow, float zHigh) {
+  if (plain) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
   return (cells[n].xLow * xLow + cells[n].xHigh * xHigh) + (cells[n].zLow * zLow + cells[n].zHigh * zHigh);
 }
 #endif
 
-// After the stencils are loaded: whether any cell of the region is irregular, the same for all of the work-group.
-bool findRegular() {
+// After the stencils are loaded: whether the whole region is plain.
+bool isPlain(int n) {
 #ifdef LEVEL0
+  return cells[n].flags == WIND_ALL_LINKS;
+#else
+  return cells[n].xLow == level.scaleX && cells[n].xHigh == level.scaleX && cells[n].zLow == level.scaleZ &&
+         cells[n].zHigh == level.scaleZ;
+#endif
+}
+bool findPlain() {
   if (gl_LocalInvocationIndex == 0u) irregular = 0u;
   barrier();
   bool plain = true;
-  for (int n = 0; n < WIND_STRIP; ++n) plain = plain && cells[n].flags == WIND_ALL_LINKS;
+  for (int n = 0; n < WIND_STRIP; ++n) plain = plain && isPlain(n);
   if (!plain) irregular = 1u;
   barrier();
   return irregular == 0u;
-#else
-  return false;
-#endif
 }
 
 // Lets the others of the work-group see the cells' d.
@@ -144,10 +150,10 @@ void lookAround(out vec4 around[WIND_STRIP]) {
 }
 
 // Sum of conductance times neighbour of each cell of the strip.
-void gather(out float sums[WIND_STRIP]) {
+void gather(const bool plain, out float sums[WIND_STRIP]) {
   vec4 around[WIND_STRIP];
   lookAround(around);
-  for (int n = 0; n < WIND_STRIP; ++n) sums[n] = neighbours(n, around[n].x, around[n].y, around[n].z, around[n].w);
+  for (int n = 0; n < WIND_STRIP; ++n) sums[n] = neighbours(n, plain, around[n].x, around[n].y, around[n].z, around[n].w);
 }
 
 #ifdef LEVEL0
@@ -158,12 +164,12 @@ float riseTo(int n, float next, uint link, uint ground) {
 }
 
 // A d of each cell of the strip, from differences.
-void gatherRises(out float sums[WIND_STRIP]) {
+void gatherRises(const bool plain, out float sums[WIND_STRIP]) {
   vec4 around[WIND_STRIP];
   lookAround(around);
   for (int n = 0; n < WIND_STRIP; ++n) {
     float x, z;
-    if (regular) {
+    if (plain) {
       x = (around[n].x - cells[n].d) + (around[n].y - cells[n].d);
       z = (around[n].z - cells[n].d) + (around[n].w - cells[n].d);
     } else {
@@ -177,12 +183,17 @@ void gatherRises(out float sums[WIND_STRIP]) {
 }
 #endif
 
+float plainInverse() { return inverseOf(2.0 * (level.scaleX + level.scaleZ)); }
+
 // d += weight (D^-1 (sum - b) - d), all cells at once.
-void sweep(float weight) {
+void sweep(const bool plain, float weight) {
   float sums[WIND_STRIP];
-  gather(sums);
+  gather(plain, sums);
   barrier();
-  for (int n = 0; n < WIND_STRIP; ++n) cells[n].d += weight * ((sums[n] - cells[n].b) * cells[n].inverse - cells[n].d);
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    float inverse = plain ? plainInverse() : cells[n].inverse;
+    cells[n].d += weight * ((sums[n] - cells[n].b) * inverse - cells[n].d);
+  }
   publish();
 }
 

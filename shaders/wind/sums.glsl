@@ -7,28 +7,25 @@ shared uint isLastGroup;
 
 float joined2(int c, float a, float b) { return c < SUM_ADDED ? a + b : max(a, b); }
 
-// Joined over the work-group; the answer is in invocation 0. One invocation for each of 32 columns of each value, then
-// one for each value.
+// Values c at scratch[c * GROUP_SIZE], `count` of each, are joined to `left` of each, a divisor of it.
+void joinScratch(int count, int left) {
+  for (int job = int(gl_LocalInvocationIndex); job < SUM_COUNT * left; job += GROUP_SIZE) {
+    int c = job / left, at = c * GROUP_SIZE + job % left;
+    float sum = scratch[at];
+    for (int m = left; m < count; m += left) sum = joined2(c, sum, scratch[at + m]);
+    scratch[at] = sum;
+  }
+  barrier();
+}
+
+// Joined over the work-group, for all invocations.
 void joinGroup(inout float sums[SUM_COUNT]) {
-  const int kColumns = 32;
-  int n = int(gl_LocalInvocationIndex);
   barrier();
-  for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + n] = sums[c];
+  for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + int(gl_LocalInvocationIndex)] = sums[c];
   barrier();
-  for (int job = n; job < SUM_COUNT * kColumns; job += GROUP_SIZE) {
-    int c = job / kColumns, at = c * GROUP_SIZE + job % kColumns;
-    float sum = scratch[at];
-    for (int m = kColumns; m < GROUP_SIZE; m += kColumns) sum = joined2(c, sum, scratch[at + m]);
-    scratch[at] = sum;
-  }
-  barrier();
-  if (n < SUM_COUNT) {
-    int at = n * GROUP_SIZE;
-    float sum = scratch[at];
-    for (int m = 1; m < kColumns; ++m) sum = joined2(n, sum, scratch[at + m]);
-    scratch[at] = sum;
-  }
-  barrier();
+  joinScratch(GROUP_SIZE, 128);
+  joinScratch(128, 8);
+  joinScratch(8, 1);
   for (int c = 0; c < SUM_COUNT; ++c) sums[c] = scratch[c * GROUP_SIZE];
 }
 
