@@ -74,24 +74,19 @@ Result<BenchRow> cpuStep(const BenchSetup& setup, int cells, int arrows, double 
   return row;
 }
 
-/// Keeps the GPU busy for two seconds: one that idled runs slower until its clocks have gone up.
-Status warmUp(const BenchSetup& setup) {
-  if (setup.size == BenchSize::Quick || setup.context->info().software) return Done{};
-  Result<PlainScheme> plain = PlainScheme::create(*setup.shaders, {1000, 1000});
-  if (!plain) return plain.error();
-  for (double spent = 0; spent < 2000;) {
-    spent += wallMs([&] {
-      for (int n = 0; n < 100; ++n) plain->step(1.0f / 60);
-      glFinish();
-    });
-  }
-  return Done{};
-}
-
 /// The row of a GPU scheme: batches of steps between two timestamps, so that nothing waits inside.
 BenchRow gpuSteps(const BenchSetup& setup, int cells, const char* scheme, const std::function<void()>& step,
                   const std::function<void()>& afterBatch) {
-  const int batch = setup.context->info().software ? 1 : 20;
+  const bool software = setup.context->info().software;
+  const int batch = software ? 1 : 20;
+  // A GPU that idled, and programs that are new to its driver, are slow for a second.
+  const double warmUpMs = software || setup.size == BenchSize::Quick ? 0 : 1500;
+  for (double spent = 0; spent < warmUpMs;) {
+    spent += wallMs([&] {
+      for (int i = 0; i < 100; ++i) step();
+      glFinish();
+    });
+  }
   std::vector<double> wall;
   const Measured m = measure({3, 5, 20, setup.capSeconds}, [&] {
     double ms = 0;
@@ -149,9 +144,6 @@ Result<std::vector<BenchRow>> benchSolver(const BenchSetup& setup) {
     rows.push_back(std::move(*row));
     return Done{};
   };
-  if (setup.context != nullptr) {
-    if (Status warm = warmUp(setup); !warm) return warm.error();
-  }
   for (const int cells : sizes) {
     std::vector<int> arrowCounts = {10};
     if (cells == manyArrowsAt) arrowCounts.push_back(quick ? 100 : 10'000);
