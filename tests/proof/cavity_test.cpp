@@ -22,7 +22,7 @@ class WindCavity : public WindProof {
       ++compared;
     }
     EXPECT_GE(compared, 30);
-    RecordProperty("worst", std::to_string(worst));
+    note("worst", worst);
   }
 };
 WINDLOOM_PROVE(WindCavity);

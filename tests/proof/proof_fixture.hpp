@@ -2,7 +2,9 @@
 // A case of the proof runs on both backends, and on the GPU at two sizes: software OpenGL can't do the full one in
 // time.
 
+#include <cstdio>
 #include <ostream>
+#include <string>
 
 #include "tests/gpu/gpu_test.hpp"
 #include "tests/unit/wind/wind_fixture.hpp"
@@ -43,6 +45,13 @@ class WindProof : public GpuTest, public ::testing::WithParamInterface<Form> {
 
   [[nodiscard]] static bool onGpu() { return GetParam().backend == Backend::Gpu; }
   [[nodiscard]] static bool full() { return GetParam().extent == Extent::Full; }
+
+  /// Keeps a measured number in the XML that --gtest_output=xml:FILE writes; docs/solver.md quotes them.
+  static void note(const std::string& name, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.3g", value);
+    RecordProperty(name, text);
+  }
 
   /// Never null: where no solver can be made the test ends here.
   static std::unique_ptr<WindSolver> make(const WindSetup& setup) {

@@ -42,7 +42,7 @@ TEST_P(WindRepeat, OppositeArrowsKeepTheFieldMirrorSymmetric) {
     for (std::size_t i = 0; i < 128; ++i) mirrored[k * 128 + i] = cells[k * 128 + 127 - i] * glm::vec2(-1, 1);
   }
   const double difference = relativeDifference(mirrored, cells);
-  RecordProperty("difference", std::to_string(difference));
+  note("difference", difference);
   EXPECT_LE(difference, 1e-4);
   EXPECT_GE(std::abs(cells[79 * 128 + 64].y), 1.0f) << "the two winds deflect each other";
 }

@@ -47,7 +47,7 @@ TEST_P(WindSamples, BlowTheSameOnBothBackendsAfterAHundredSteps) {
       cpu->step();
     }
     const double difference = relativeDifference(gpu->velocity(), cpu->velocity());
-    RecordProperty(entry.path().stem().stem().string(), std::to_string(difference));
+    note(entry.path().stem().stem().string(), difference);
     EXPECT_LE(difference, 1e-3);
     EXPECT_GT(cpu->solver().diagnostics().maxSpeed, 1.0) << "there is wind to compare";
     ++samples;
