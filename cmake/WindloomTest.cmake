@@ -1,14 +1,24 @@
-# windloom_test(NAME SOURCES a.cpp ... DEPENDS target ... [LABELS label ...] [TIMEOUT seconds])
+# windloom_test(NAME SOURCES a.cpp ... DEPENDS target ... [LABELS label ...] [TIMEOUT seconds] [FILTER tests])
 # One GoogleTest program and one CTest entry for a room. Labels: unit (no GPU), gpu (needs OpenGL 4.5,
 # llvmpipe will do), golden, cli, ui, rules; `long` marks what only `./test --all` runs.
 include(GoogleTest)
 function(windloom_test name)
-  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;DEPENDS;LABELS" ${ARGN})
+  cmake_parse_arguments(ARG "" "TIMEOUT;FILTER" "SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest GTest::gtest_main windloom_warnings)
   target_compile_definitions(${name} PRIVATE WINDLOOM_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
     WINDLOOM_PROJECTS="${CMAKE_SOURCE_DIR}/projects")
-  add_test(NAME ${name} COMMAND ${name} --gtest_brief=1)
+  windloom_test_entry(${name} ${name} LABELS ${ARG_LABELS} TIMEOUT ${ARG_TIMEOUT} FILTER ${ARG_FILTER})
+endfunction()
+
+# windloom_test_entry(NAME PROGRAM [LABELS label ...] [TIMEOUT seconds] [FILTER tests])
+# Another CTest entry of a program of windloom_test, e.g. for tests of another label.
+function(windloom_test_entry name program)
+  cmake_parse_arguments(ARG "" "TIMEOUT;FILTER" "LABELS" ${ARGN})
+  if(NOT ARG_FILTER)
+    set(ARG_FILTER "*")
+  endif()
+  add_test(NAME ${name} COMMAND ${program} --gtest_brief=1 --gtest_filter=${ARG_FILTER})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 300)
   endif()

@@ -5,13 +5,17 @@
 
 #include "engine/wind/wind_solver.hpp"
 #include "tests/gpu/gpu_test.hpp"
-#include "tests/unit/wind/wind_fixture.hpp"
+#include "tests/proof/cell_fields.hpp"
+#include "tests/proof/solids.hpp"
 
 namespace windloom {
 namespace {
 
 using windloom::testing::arrow;
 using windloom::testing::bareSetup;
+using windloom::testing::box;
+using windloom::testing::circle;
+using windloom::testing::relativeDifference;
 
 class GpuSolver : public windloom::testing::GpuTest {
  protected:
@@ -31,22 +35,6 @@ WindSetup usualSetup(glm::ivec2 cells, float cellSizeM, Border border) {
   return setup;
 }
 
-Obstacle circle(glm::vec2 centre, float radius) {
-  Obstacle o;
-  o.centre = centre;
-  o.radius = radius;
-  return o;
-}
-
-Obstacle box(glm::vec2 centre, glm::vec2 size, float rotation) {
-  Obstacle o;
-  o.shape = ObstacleShape::Box;
-  o.centre = centre;
-  o.size = size;
-  o.rotation = rotation;
-  return o;
-}
-
 /// Arrows of every kind, spread over a field of `size` metres.
 std::vector<ArrowForce> arrowsOver(glm::vec2 size) {
   const float r = std::min(size.x, size.y) * 0.12f;
@@ -60,16 +48,6 @@ std::vector<ArrowForce> arrowsOver(glm::vec2 size) {
   arrows.push_back(push);
   arrows.push_back(whirl);
   return arrows;
-}
-
-double relativeDifference(const std::vector<glm::vec2>& a, const std::vector<glm::vec2>& b) {
-  double difference = 0, size = 0;
-  for (std::size_t n = 0; n < a.size(); ++n) {
-    const glm::dvec2 d = glm::dvec2(a[n]) - glm::dvec2(b[n]);
-    difference += glm::dot(d, d);
-    size += glm::dot(glm::dvec2(b[n]), glm::dvec2(b[n]));
-  }
-  return std::sqrt(difference / size);
 }
 
 struct Comparison {
@@ -164,76 +142,6 @@ TEST_F(GpuSolver, AgreesWithTheCpuInTheOtherSettings) {
   setup.noSlip = WallSpeeds{0, 0, 0, 1};
   const auto gpu = make(setup);
   EXPECT_LE(compare(*gpu, setup, 60).difference, 1e-3);
-}
-
-TEST_F(GpuSolver, LeavesUniformFlowUnchanged) {
-  for (const Border border : {Border::Open, Border::Periodic}) {
-    WindSetup setup = bareSetup({70, 50}, 0.5f, border, 1.0f / 60);
-    setup.ambient.speed = 8;
-    const auto gpu = make(setup);
-    for (int n = 0; n < 30; ++n) gpu->step({}, n / 60.0);
-    std::vector<glm::vec2> cells;
-    gpu->readVelocity(cells);
-    for (const glm::vec2 v : cells) {
-      ASSERT_NEAR(v.x, 8.0f, 1e-5f);
-      ASSERT_NEAR(v.y, 0.0f, 1e-5f);
-    }
-  }
-}
-
-TEST_F(GpuSolver, LetsNoAirThroughSolids) {
-  WindSetup setup = usualSetup({96, 64}, 0.5f, Border::Open);
-  setup.field.zMin = setup.field.zMax = Border::Wall;
-  setup.obstacles = {box({24, 16}, {8, 6}, 0)};
-  setup.ambient.speed = 8;
-  setup.ambient.direction = 0;
-  const auto gpu = make(setup);
-  for (int n = 0; n < 60; ++n) gpu->step({}, n / 60.0);
-  std::vector<glm::vec2> cells;
-  gpu->readVelocity(cells);
-  const auto at = [&](int i, int k) { return cells[static_cast<std::size_t>(k * 96 + i)]; };
-  for (int k = 27; k < 37; ++k) {
-    for (int i = 41; i < 55; ++i) EXPECT_EQ(at(i, k), glm::vec2(0)) << i << " " << k;
-  }
-  // A column in front of the solid, and one through the gaps beside it, carry the same air.
-  double before = 0, beside = 0;
-  for (int k = 0; k < 64; ++k) {
-    before += double(at(30, k).x);
-    beside += double(at(48, k).x);
-  }
-  EXPECT_NEAR(beside, before, 1e-3 * before);
-  EXPECT_GT(at(48, 20).x, 8.0f);
-}
-
-TEST_F(GpuSolver, StaysMirrorSymmetric) {
-  const WindSetup setup = [] {
-    WindSetup s = usualSetup({96, 64}, 0.25f, Border::Open);
-    s.ambient = {};
-    return s;
-  }();
-  const auto gpu = make(setup);
-  const std::vector<ArrowForce> arrows = {arrow({4, 8}, {11, 8}, 9, 2), arrow({20, 8}, {13, 8}, 9, 2)};
-  for (int n = 0; n < 90; ++n) gpu->step(arrows, n / 60.0);
-  std::vector<glm::vec2> cells;
-  gpu->readVelocity(cells);
-  std::vector<glm::vec2> mirrored(cells.size());
-  for (std::size_t k = 0; k < 64; ++k) {
-    for (std::size_t i = 0; i < 96; ++i) mirrored[k * 96 + i] = cells[k * 96 + 95 - i] * glm::vec2(-1, 1);
-  }
-  EXPECT_LE(relativeDifference(mirrored, cells), 1e-3);
-}
-
-TEST_F(GpuSolver, RestartGivesTheSameBytes) {
-  const WindSetup setup = usualSetup({80, 80}, 0.25f, Border::Open);
-  const std::vector<ArrowForce> arrows = arrowsOver(setup.field.size);
-  std::vector<glm::vec2> first, second;
-  const auto gpu = make(setup);
-  for (std::vector<glm::vec2>* cells : {&first, &second}) {
-    gpu->reset();
-    for (int n = 0; n < 40; ++n) gpu->step(n < 20 ? std::span<const ArrowForce>{} : arrows, n / 60.0);
-    gpu->readVelocity(*cells);
-  }
-  EXPECT_EQ(first, second);
 }
 
 TEST_F(GpuSolver, TakesAndGivesBackAField) {
@@ -347,32 +255,6 @@ TEST_F(GpuSolver, SumsThousandsOfArrowsLikeTheCpu) {
   gpu->readVelocity(onGpu);
   (*cpu)->readVelocity(onCpu);
   EXPECT_LE(relativeDifference(onGpu, onCpu), 1e-3);
-}
-
-/// How much of a purely divergent mode along x one projection leaves, as a part of its amplitude.
-double leftOfMode(WindSolver& solver, int width, int height, double wavelength) {
-  std::vector<glm::vec2> mode(static_cast<std::size_t>(width * height)), cells;
-  for (std::size_t n = 0; n < mode.size(); ++n) {
-    const double x = double(n % static_cast<std::size_t>(width)) + 0.5;
-    mode[n] = {static_cast<float>(std::sin(2 * windloom::testing::kPi * x / wavelength)), 0.0f};
-  }
-  EXPECT_TRUE(solver.setVelocity(mode).ok());
-  solver.step({}, 0);
-  solver.readVelocity(cells);
-  double left = 0, size = 0;
-  for (std::size_t n = 0; n < mode.size(); ++n) {
-    left += double(glm::dot(cells[n], cells[n]));
-    size += double(glm::dot(mode[n], mode[n]));
-  }
-  return std::sqrt(left / size);
-}
-
-TEST_F(GpuSolver, TakesDivergentModesOfEveryWavelength) {
-  // So short a step that advection does nothing; walls where the modes end.
-  const WindSetup setup = bareSetup({256, 64}, 1.0f, Border::Wall, 1e-6f);
-  const auto gpu = make(setup);
-  for (const double wavelength : {512.0, 128.0, 32.0})
-    EXPECT_LE(leftOfMode(*gpu, 256, 64, wavelength), 1e-3) << wavelength;
 }
 
 TEST_F(GpuSolver, KeepsWithinTheMemoryBarOfAMillionCells) {

@@ -91,25 +91,6 @@ TEST(WindForces, AFadingSignalLetsGoOfTheAir) {
   EXPECT_NEAR(cellAt(solver, {32, 32}).y, 6, 0.01f);
 }
 
-TEST(WindForces, OppositeArrowsKeepTheFieldMirrorSymmetric) {
-  WindSetup setup = meadow(128);
-  CpuWindSolver solver(setup, 1);
-  const ArrowForce arrows[] = {arrow({-30, 3}, {-10, 3}, 9, 4), arrow({30, 3}, {10, 3}, 9, 4)};
-  run(solver, 90, arrows);
-  std::vector<glm::vec2> cells;
-  solver.readVelocity(cells);
-  double difference = 0, size = 0;
-  for (std::size_t k = 0; k < 128; ++k) {
-    for (std::size_t i = 0; i < 128; ++i) {
-      const glm::vec2 a = cells[k * 128 + i], b = cells[k * 128 + 127 - i];
-      difference += std::pow(double(a.x + b.x), 2) + std::pow(double(a.y - b.y), 2);
-      size += double(glm::dot(a, a));
-    }
-  }
-  EXPECT_LE(std::sqrt(difference / size), 1e-4);
-  EXPECT_GE(std::abs(cellAt(solver, {0.3f, 12}).y), 1.0f) << "the two winds deflect each other";
-}
-
 TEST(WindForces, TilesNameEveryArrowThatReachesACell) {
   const WindGrid grid = makeWindGrid(meadow(150).field, {});
   std::vector<ArrowForce> arrows;

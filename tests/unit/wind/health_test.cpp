@@ -3,7 +3,6 @@
 
 #include <limits>
 
-#include "tests/unit/wind/random_setup.hpp"
 #include "tests/unit/wind/wind_fixture.hpp"
 
 namespace windloom::testing {
@@ -102,10 +101,6 @@ TEST(WindHealth, NoCellIsEverFasterThanTheLimit) {
     ASSERT_LE(solver.diagnostics().maxSpeed, 6.0001);
   }
   EXPECT_GE(solver.diagnostics().maxSpeed, 5.5);
-}
-
-TEST(WindHealth, RandomLegalSettingsStayFiniteAndWithinTheLimit) {
-  for (int n = 0; n < 60; ++n) expectSurvival(n, 40);
 }
 
 }  // namespace

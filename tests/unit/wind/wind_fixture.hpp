@@ -66,21 +66,6 @@ inline double faceEnergy(const CpuFields& f) {
   return sum;
 }
 
-/// Relative L2 difference of the faces from an exact velocity.
-inline double faceError(const CpuFields& f, const std::function<glm::dvec2(double x, double z)>& exact) {
-  const glm::dvec2 low(f.grid.mapping.minCorner), h(f.grid.mapping.cellSize);
-  double error = 0, size = 0;
-  for (int k = 0; k < f.height(); ++k) {
-    for (int i = 0; i < f.width(); ++i) {
-      const double u = exact(low.x + i * h.x, low.y + (k + 0.5) * h.y).x,
-                   w = exact(low.x + (i + 0.5) * h.x, low.y + k * h.y).y;
-      error += std::pow(double(f.velocity.u.at(i, k)) - u, 2) + std::pow(double(f.velocity.w.at(i, k)) - w, 2);
-      size += u * u + w * w;
-    }
-  }
-  return std::sqrt(error / size);
-}
-
 /// A straight drive along the arrow at full signal.
 inline ArrowForce arrow(glm::vec2 from, glm::vec2 to, float strength, float radius) {
   ArrowForce a{};

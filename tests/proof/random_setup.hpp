@@ -1,8 +1,6 @@
 #pragma once
 // Random legal fields, solvers and arrows, most of them nasty.
 
-#include <gtest/gtest.h>
-
 #include <random>
 
 #include "tests/unit/wind/wind_fixture.hpp"
@@ -83,25 +81,5 @@ class RandomSetup {
   }
   std::mt19937 m_random;
 };
-
-/// Runs the random setup with this seed: every cell finite and within the speed limit after every step.
-inline void expectSurvival(int seed, int steps) {
-  RandomSetup random(seed);
-  const WindSetup setup = random.setup();
-  CpuWindSolver solver(setup, 1);
-  std::vector<ArrowForce> arrows;
-  for (int n = random.whole(0, 12); n > 0; --n) arrows.push_back(random.force(setup.field));
-  std::vector<glm::vec2> cells;
-  for (int n = 0; n < steps; ++n) {
-    solver.step(arrows, n * double(setup.field.timeStep));
-    solver.readVelocity(cells);
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      ASSERT_TRUE(glm::length(cells[c]) <= setup.solver.maxSpeed * 1.0001f)
-          << "seed " << seed << ", step " << n << ", cell " << c;
-    }
-    ASSERT_TRUE(std::isfinite(solver.diagnostics().divergenceAfter)) << "seed " << seed << ", step " << n;
-  }
-  EXPECT_EQ(solver.diagnostics().nonFiniteCells, 0) << "seed " << seed;
-}
 
 }  // namespace windloom::testing
