@@ -200,7 +200,7 @@ int CpuMultigrid::solve(ThreadPool& pool, double startSquares, double wantedSqua
   m_factor = 0;
   double squares = startSquares, lastSize = 0;
   int cycles = 0;
-  while (squares > wantedSquares && cycles < maxCycles) {
+  while ((squares > wantedSquares || cycles == 0) && cycles < maxCycles) {
     const bool joins = cycles > 0;
     const LevelProducts p = cycle(pool, joins);
     const double beta = joins ? p.withLast / lastSize : 0;

@@ -22,7 +22,7 @@ class CpuMultigrid {
   [[nodiscard]] float correctionFactor() const { return m_factor; }
 
   /// Solves from d = 0 until the sum over cells of (b - A d)^2 is at most `wantedSquares` or `maxCycles` V-cycles are
-  /// done; `startSquares` is the sum at the start. Returns the cycles.
+  /// done, but at least one; `startSquares` is the sum at the start. Returns the cycles.
   int solve(ThreadPool& pool, double startSquares, double wantedSquares, int maxCycles);
   /// Jacobi sweeps from d = 0.
   void sweep(ThreadPool& pool, int sweeps);

@@ -22,14 +22,21 @@ void GpuCycles::learn(long step, int cycles, double residual) {
   while (!m_known.empty() && m_known.front().step + kMemory + kDelay < step) m_known.pop_front();
 }
 
-int GpuCycles::plan(long step, int limit) const {
-  int needed = -1;
+int GpuCycles::needed(long step) const {
+  int needed = 0;
   for (const Known& known : m_known) {
     const long age = step - known.step;
     if (age >= kDelay && age < kDelay + kMemory) needed = std::max(needed, known.needed);
   }
-  if (needed < 0) return limit;
-  return std::clamp(needed, 1, std::max(limit, 1));
+  return needed;
+}
+
+bool GpuCycles::knows(long step) const {
+  return needed(step) > 0;
+}
+
+int GpuCycles::plan(long step, int limit) const {
+  return knows(step) ? std::clamp(needed(step), 1, std::max(limit, 1)) : limit;
 }
 
 }  // namespace windloom

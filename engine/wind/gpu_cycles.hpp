@@ -18,10 +18,14 @@ class GpuCycles {
   /// What step `step` needed: it stopped after `cycles`, with a residual of so many times the wanted one.
   void learn(long step, int cycles, double residual);
 
+  /// Whether anything is known that tells about `step`.
+  [[nodiscard]] bool knows(long step) const;
+
   /// Cycles to record for `step`, at most `limit`.
   [[nodiscard]] int plan(long step, int limit) const;
 
  private:
+  [[nodiscard]] int needed(long step) const;  // 0: not known
   struct Known {
     long step;
     int needed;

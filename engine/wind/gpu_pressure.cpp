@@ -17,7 +17,7 @@ constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples 
 static_assert(WIND_DOWN_INNER(WIND_FINE_REGION) % 2 == 0 && WIND_DOWN_INNER(WIND_COARSE_REGION) % 2 == 0,
               "cells of the level after the next don't straddle work-groups");
 static_assert(WIND_HALO % 2 == 0, "the cells of a coarser one lie in the same region");
-static_assert(WIND_STRIP == 4 && WIND_FINE_REGION * WIND_FINE_REGION / WIND_STRIP <= 1024, "see correctStrip()");
+static_assert(WIND_STRIP % 2 == 0 && WIND_FINE_REGION * WIND_FINE_REGION / WIND_STRIP <= 1024, "whole coarse rows in a strip");
 
 std::size_t commandOffset(std::size_t command) {
   return offsetof(shared::WindControl, groups) + command * 4 * sizeof(shared::uint);
@@ -102,9 +102,19 @@ Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::Buff
   return Done{};
 }
 
-/// The reading pass names the writer: every pass of the solve reads what the one before it wrote to storage buffers.
-void afterLastPass() {
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+/// The reading pass names the writer: every pass of the solve reads what the one before it wrote to storage buffers, and
+/// those of the cycles after the first also their work-groups.
+void afterLastPass(const gpu::Buffer* commands = nullptr) {
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (commands != nullptr ? GL_COMMAND_BARRIER_BIT : 0u));
+}
+
+/// Runs a pass on these work-groups, or on those that a buffer of commands says.
+void dispatch(const gpu::Program& program, glm::ivec2 groups, const gpu::Buffer* commands, std::size_t command) {
+  if (commands == nullptr) {
+    program.dispatch(groups.x, groups.y);
+  } else {
+    program.dispatchIndirect(*commands, commandOffset(command));
+  }
 }
 
 }  // namespace
@@ -275,63 +285,63 @@ void GpuPressure::bindLevel(std::size_t level) const {
   at(level + 1).faces.bindStorage(WIND_SSBO_COARSE_FACES);
 }
 
-/// The level's way down, and the next one's where they make a pair; the level that comes after. Without `control` it
-/// runs whatever the solve has reached.
-std::size_t GpuPressure::goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control) {
+/// The level's way down, and the next one's where they make a pair; the level that comes after.
+std::size_t GpuPressure::goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* commands) {
   const shared::WindLevel& block = m_levels[level].block;
-  afterLastPass();
+  afterLastPass(commands);
   bindLevel(level);
   m_d.bindStorage(WIND_SSBO_D_IN);  // the last cycle's, which the next one begins with on level 0
   fluxOf(level + 1).bindStorage(WIND_SSBO_COARSE);
   if (block.pair != 0) fluxOf(level + 2).bindStorage(WIND_SSBO_COARSER);
-  if (control == nullptr) {
-    program.dispatch(block.downGroupsX, block.downGroupsZ);
-  } else {
-    program.dispatchIndirect(*control, commandOffset(WIND_COMMAND_DOWN + level));
-  }
+  dispatch(program, {block.downGroupsX, block.downGroupsZ}, commands, WIND_COMMAND_DOWN + level);
   return level + (block.pair != 0 ? 2 : 1);
 }
 
-void GpuPressure::goUp(std::size_t level, const gpu::Buffer& control) {
-  afterLastPass();
+void GpuPressure::goUp(std::size_t level, const gpu::Buffer* commands) {
+  const shared::WindLevel& block = m_levels[level].block;
+  afterLastPass(commands);
   bindLevel(level);
   resultOf(level).bindStorage(WIND_SSBO_D_OUT);
   resultOf(level + 1).bindStorage(WIND_SSBO_COARSE);
-  (level == 0 ? m_top : m_up)->dispatchIndirect(control, commandOffset(WIND_COMMAND_UP + level));
+  dispatch(level == 0 ? *m_top : *m_up, {block.upGroupsX, block.upGroupsZ}, commands, WIND_COMMAND_UP + level);
 }
 
-void GpuPressure::runTail(const gpu::Buffer& control) {
-  afterLastPass();
+void GpuPressure::runTail(const gpu::Buffer* commands) {
+  afterLastPass(commands);
   m_tail.faces.bindStorage(WIND_SSBO_FACES);
   m_tail.flux.bindStorage(WIND_SSBO_FLUX);
   m_tail.d.bindStorage(WIND_SSBO_D_OUT);
   m_lastInverse.bindStorage(WIND_SSBO_DENSE);
-  m_runTail->dispatchIndirect(control, commandOffset(WIND_COMMAND_TAIL));
+  dispatch(*m_runTail, {1, 1}, commands, WIND_COMMAND_TAIL);
 }
 
-/// From the flux to `cycles` V-cycles.
-void GpuPressure::recordCycles(const gpu::Buffer& control, int cycles) {
+/// From the flux to `cycles` V-cycles. The first one always runs: a dispatch whose work-groups the GPU must look up
+/// takes longer.
+void GpuPressure::recordCycles(const GpuFields& fields, int cycles) {
   m_predicted.bindStorage(WIND_SSBO_PREDICTED);
   std::size_t next = goDown(0, *m_first, nullptr);
-  afterLastPass();
-  m_first->dispatchIndirect(control, commandOffset(WIND_COMMAND_FIRST));  // where the expected pressure is of no use
+  if (fields.block.mayDrop != 0) {  // once more where the expected pressure is of no use
+    afterLastPass(&fields.control);
+    m_first->dispatchIndirect(fields.control, commandOffset(WIND_COMMAND_FIRST));
+  }
   for (int cycle = 0; cycle < cycles; ++cycle) {
-    if (cycle > 0) next = goDown(0, *m_again, &control);
-    while (next < m_levels.size()) next = goDown(next, *m_down, &control);
-    runTail(control);
-    for (std::size_t l = m_levels.size(); l-- > 0;) goUp(l, control);
+    const gpu::Buffer* commands = cycle > 0 ? &fields.control : nullptr;
+    if (cycle > 0) next = goDown(0, *m_again, commands);
+    while (next < m_levels.size()) next = goDown(next, *m_down, commands);
+    runTail(commands);
+    for (std::size_t l = m_levels.size(); l-- > 0;) goUp(l, commands);
   }
 }
 
 void GpuPressure::solveMultigrid(const GpuFields& fields, SolveStart start, int cycles) {
   if (start == SolveStart::Cold) {
-    recordCycles(fields.control, 1);
+    recordCycles(fields, 1);
     afterLastPass();
     m_d.bindStorage(WIND_SSBO_D_IN);
     m_predicted.bindStorage(WIND_SSBO_PREDICTED);
     m_adopt->dispatchOver({fields.width(), fields.height()});
   }
-  recordCycles(fields.control, cycles);
+  recordCycles(fields, cycles);
 }
 
 void GpuPressure::solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps) {
@@ -347,8 +357,8 @@ void GpuPressure::solveJacobi(const GpuFields& fields, const gpu::Buffer& spare,
     (last ? spare : m_d).bindStorage(WIND_SSBO_D_IN);
     (last ? m_d : spare).bindStorage(WIND_SSBO_D_OUT);
     program.dispatch(groups.x, groups.y);
-    if (round > 0) continue;
-    afterLastPass();
+    if (round > 0 || fields.block.mayDrop == 0) continue;
+    afterLastPass(&fields.control);
     program.dispatchIndirect(fields.control, commandOffset(WIND_COMMAND_FIRST));
   }
 }

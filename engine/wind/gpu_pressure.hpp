@@ -41,11 +41,11 @@ class GpuPressure {
   Status sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid);
   Status loadPrograms();
   void solveMultigrid(const GpuFields& fields, SolveStart start, int cycles);
-  void recordCycles(const gpu::Buffer& control, int cycles);
+  void recordCycles(const GpuFields& fields, int cycles);
   void solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps);
-  std::size_t goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* control);
-  void goUp(std::size_t level, const gpu::Buffer& control);
-  void runTail(const gpu::Buffer& control);
+  std::size_t goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* commands);
+  void goUp(std::size_t level, const gpu::Buffer* commands);
+  void runTail(const gpu::Buffer* commands);
   void bindLevel(std::size_t level) const;
   static const gpu::Buffer& bindScratch(const GpuFields& fields, const gpu::Buffer& star);
   [[nodiscard]] const gpu::Buffer& fluxOf(std::size_t level) const;

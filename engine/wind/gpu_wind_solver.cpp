@@ -118,6 +118,9 @@ void GpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
   const auto layers = gustLayersAt(m_fields.ambient, time);
   if (m_fields.block.gusts > 0) std::copy(layers.begin(), layers.end(), m_fields.block.gustLayers);
   if (m_arrows.send(m_fields, arrows)) m_cycles.forget(step);  // an artist's edit may ask for more than any step before
+  // Looking whether the solve must begin again costs a dispatch: multigrid does it only where much may have changed.
+  const bool sure = m_fields.solver.pressure == Pressure::Multigrid && m_cycles.knows(step);
+  m_fields.block.mayDrop = sure ? 0 : 1;
   m_fields.sendBlock();
   const bool timed = step % kTimedEvery == 1;
   if (timed) m_timer.beginFrame();

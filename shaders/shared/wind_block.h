@@ -92,7 +92,7 @@ struct WindBlock {
   int ownLevels;       // levels of the pressure solve with passes of their own; the others make the tail
   int allLevels;
   int busyTiles;       // tiles that an arrow reaches
-  int paddingA;
+  int mayDrop;         // 1: where the expected pressure is of no use, the solve begins again without it
   WindGustLayer gustLayers[WIND_GUST_LAYERS];
 };
 

@@ -59,9 +59,8 @@ void startSolve(float total[SUM_COUNT]) {
   float speedSquare = total[2] * wind.perCell;
   control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
   control.cycles = 0u;
-  bool useless = control.history != 0u && !(control.fluxStart <= control.fluxBefore);
-  bool run = !useless && control.fluxStart > control.wanted;
+  bool useless = wind.mayDrop != 0 && control.history != 0u && !(control.fluxStart <= control.fluxBefore);
   if (useless) control.history = 0u;
-  control.converged = run || useless ? 0u : 1u;
-  setDispatches(run, useless);
+  control.converged = 0u;
+  setDispatches(true, useless);
 }

@@ -51,6 +51,7 @@ float correctionAt(ivec2 place) {
   return sum;
 }
 
+// No further than a coarse level of a plain region can reach around a periodic border.
 int wrapCoarse(int c, int count) { return c < 0 ? c + count : c < count ? c : c - count; }
 
 // Whether coarsening goes by two along both axes, and no cell of the next level is cut short by a periodic border.
@@ -60,20 +61,21 @@ bool coarsensEvenly() {
   return level.factorX == 2 && level.factorZ == 2 && wholeX && wholeZ;
 }
 
-// The correction of a strip of four cells in a regular region that coarsens evenly: all it needs is six cells, which are
-// all there.
+// The correction of a strip in a plain region that coarsens evenly: each coarse row of its column and of the column
+// beside it is read once.
 void correctStrip(out float corrections[WIND_STRIP]) {
+  const int kRows = WIND_STRIP / 2;
   ivec2 size = ivec2(level.coarseWidth, level.coarseHeight), place = wrappedPlace(0);
   ivec2 c = place >> 1;
   int side = wrapCoarse(c.x + ((place.x & 1) != 0 ? 1 : -1), size.x);
-  int after = wrapCoarse(c.y + 1, size.y);
-  float own0 = coarseAt(c.x, c.y), own1 = coarseAt(c.x, after);
-  float low = coarseAt(c.x, wrapCoarse(c.y - 1, size.y)), high = coarseAt(c.x, wrapCoarse(c.y + 2, size.y));
-  float base0 = own0 + 0.25 * (coarseAt(side, c.y) - own0), base1 = own1 + 0.25 * (coarseAt(side, after) - own1);
-  corrections[0] = base0 + 0.25 * (low - own0);
-  corrections[1] = base0 + 0.25 * (own1 - own0);
-  corrections[2] = base1 + 0.25 * (own0 - own1);
-  corrections[3] = base1 + 0.25 * (high - own1);
+  float own[kRows + 2], beside[kRows];
+  for (int r = 0; r < kRows + 2; ++r) own[r] = coarseAt(c.x, wrapCoarse(c.y + r - 1, size.y));
+  for (int r = 0; r < kRows; ++r) beside[r] = coarseAt(side, wrapCoarse(c.y + r, size.y));
+  for (int r = 0; r < kRows; ++r) {
+    float here = own[r + 1], base = here + 0.25 * (beside[r] - here);
+    corrections[2 * r] = base + 0.25 * (own[r] - here);
+    corrections[2 * r + 1] = base + 0.25 * (own[r + 2] - here);
+  }
 }
 
 #ifdef LEVEL0

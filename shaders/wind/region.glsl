@@ -54,8 +54,11 @@ ivec2 innerCount() { return ivec2(WIND_INNER(REGION)); }
 ivec2 placeOf(int n) {
   return ivec2(gl_WorkGroupID.xy) * innerCount() - innerBegin() + ivec2(localX(), localZ(n));
 }
-// GLSL leaves the remainder of negative numbers open.
-int wrapAxis(int c, int count, bool periodic) { return periodic ? (c + REGION * count) % count : c; }
+int wrapAxis(int c, int count, bool periodic) {
+  if (!periodic) return c;
+  if (count >= REGION) return c < 0 ? c + count : c < count ? c : c - count;
+  return (c + REGION * count) % count;  // a small field may lie in the region more than once
+}
 // The cell wrapped at periodic borders; negative where there is none.
 ivec2 wrappedPlace(int n) {
   ivec2 place = placeOf(n);
