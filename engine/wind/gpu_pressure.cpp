@@ -86,6 +86,64 @@ std::size_t firstOfTail(std::span<const PressureLevel> levels) {
   }
 }
 
+/// Which cells of a level are like those of an endless field of air.
+std::vector<std::uint8_t> plainCells(const WindGrid& grid, const PressureLevel& level, std::size_t index) {
+  const std::size_t w = static_cast<std::size_t>(level.width), h = static_cast<std::size_t>(level.height);
+  std::vector<std::uint8_t> plain(w * h);
+  if (index == 0) {
+    for (std::size_t k = 0; k < h; ++k) {
+      for (std::size_t i = 0; i < w; ++i) {
+        const bool inside = i > 0 && k > 0 && i + 1 < w && k + 1 < h;
+        const std::size_t c = k * w + i;
+        plain[c] = inside && (grid.solid[c] | grid.solid[c - 1] | grid.solid[c + 1] | grid.solid[c - w] |
+                              grid.solid[c + w]) == 0;
+      }
+    }
+    return plain;
+  }
+  const std::vector<shared::uint> faces = packFaces(level);
+  const shared::uint whole = glm::packHalf2x16(glm::vec2(1));
+  for (std::size_t k = 0; k < h; ++k) {
+    for (std::size_t i = 0; i < w; ++i) {
+      const std::size_t node = k * (w + 1) + i;
+      plain[k * w + i] = faces[node] == whole && (faces[node + 1] ^ whole) << 16 == 0 &&
+                         (faces[node + w + 1] ^ whole) >> 16 == 0;
+    }
+  }
+  return plain;
+}
+
+/// How the regions of a pass lie: the first one begins at -margin, the next ones `inner` cells on.
+struct RegionTiling {
+  glm::ivec2 inner, margin, groups;
+  int region;
+};
+
+/// Of each region whether it lies inside the field and all its cells are plain.
+std::vector<shared::uint> kindsOf(const PressureLevel& level, const std::vector<std::uint8_t>& plain,
+                                  const RegionTiling& tiling) {
+  const int w = level.width, h = level.height;
+  std::vector<int> others(static_cast<std::size_t>(w + 1) * static_cast<std::size_t>(h + 1), 0);  // in cells before
+  const auto at = [&](int i, int k) -> int& {
+    return others[static_cast<std::size_t>(k) * static_cast<std::size_t>(w + 1) + static_cast<std::size_t>(i)];
+  };
+  for (int k = 0; k < h; ++k) {
+    for (int i = 0; i < w; ++i) {
+      const bool other = plain[static_cast<std::size_t>(k) * static_cast<std::size_t>(w) + static_cast<std::size_t>(i)] == 0;
+      at(i + 1, k + 1) = at(i, k + 1) + at(i + 1, k) - at(i, k) + (other ? 1 : 0);
+    }
+  }
+  std::vector<shared::uint> kinds;
+  for (int z = 0; z < tiling.groups.y; ++z) {
+    for (int x = 0; x < tiling.groups.x; ++x) {
+      const glm::ivec2 low = glm::ivec2(x, z) * tiling.inner - tiling.margin, high = low + tiling.region;
+      const bool inside = low.x >= 0 && low.y >= 0 && high.x <= w && high.y <= h;
+      kinds.push_back(inside && at(high.x, high.y) - at(low.x, high.y) - at(high.x, low.y) + at(low.x, low.y) == 0);
+    }
+  }
+  return kinds;
+}
+
 /// Whether one pass can take this level and the next on the way down: around a periodic border the cells of the next
 /// level must all be whole.
 bool makesPair(const PressureLevel& level, const PressureLevel& next, const WindGrid& grid) {
@@ -228,6 +286,7 @@ Status GpuPressure::sendLevels(std::span<const PressureLevel> levels, const Wind
     cells += b.width * b.height;
     if (l > m_levels.size()) faces += (b.width + 1) * (b.height + 1);
   }
+  if (Status made = findKinds(levels, grid, blocks); !made) return made;
   for (std::size_t l = 0; l + 1 < m_levels.size(); ++l) {
     const bool second = l > 0 && blocks[l - 1].pair != 0;
     blocks[l].pair = !second && makesPair(levels[l], levels[l + 1], grid) ? 1 : 0;
@@ -241,6 +300,28 @@ Status GpuPressure::sendLevels(std::span<const PressureLevel> levels, const Wind
       !made)
     return made;
   return make(m_allLevels, "wind levels", blocks.size() * sizeof blocks[0], gpu::BufferUse::Static, blocks.data());
+}
+
+/// Looks at every region of every pass: plain ones are swept without a look at what lies around each cell.
+Status GpuPressure::findKinds(std::span<const PressureLevel> levels, const WindGrid& grid,
+                              std::vector<shared::WindLevel>& blocks) {
+  std::vector<shared::uint> kinds;
+  for (std::size_t l = 0; l < m_levels.size(); ++l) {
+    shared::WindLevel& b = blocks[l];
+    const std::vector<std::uint8_t> plain = plainCells(grid, levels[l], l);
+    const int region = l == 0 ? WIND_FINE_REGION : WIND_COARSE_REGION;
+    const glm::ivec2 factor(b.factorX, b.factorZ);
+    const auto add = [&](const RegionTiling& tiling) {
+      const std::vector<shared::uint> own = kindsOf(levels[l], plain, tiling);
+      kinds.insert(kinds.end(), own.begin(), own.end());
+      return static_cast<int>(kinds.size() - own.size());
+    };
+    b.downKinds = add({WIND_DOWN_INNER(region) * factor, factor + 2, {b.downGroupsX, b.downGroupsZ}, region});
+    b.upKinds = add({glm::ivec2(WIND_INNER(region)), glm::ivec2(WIND_HALO), {b.upGroupsX, b.upGroupsZ}, region});
+    // A plain strip is corrected in pairs of rows and columns.
+    if (factor != glm::ivec2(2)) std::fill(kinds.begin() + b.upKinds, kinds.end(), 0u);
+  }
+  return make(m_kinds, "wind region kinds", kinds.size() * sizeof(shared::uint), gpu::BufferUse::Static, kinds.data());
 }
 
 Status GpuPressure::loadPrograms() {
@@ -281,6 +362,7 @@ const GpuPressure::Level& GpuPressure::at(std::size_t level) const {
 void GpuPressure::bindLevel(std::size_t level) const {
   m_levelBlocks.bindUniformRange(WIND_UBO_LEVEL, level * kBlockStride, sizeof(shared::WindLevel));
   fluxOf(level).bindStorage(WIND_SSBO_FLUX);
+  m_kinds.bindStorage(WIND_SSBO_KINDS);
   if (level > 0) at(level).faces.bindStorage(WIND_SSBO_FACES);
   at(level + 1).faces.bindStorage(WIND_SSBO_COARSE_FACES);
 }
@@ -407,7 +489,7 @@ void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, cons
 }
 
 std::size_t GpuPressure::memoryBytes() const {
-  std::size_t sum = m_levelBlocks.bytes() + m_allLevels.bytes() + m_lastInverse.bytes();
+  std::size_t sum = m_levelBlocks.bytes() + m_allLevels.bytes() + m_lastInverse.bytes() + m_kinds.bytes();
   for (const gpu::Buffer* b : {&m_phi, &m_predicted, &m_d, &m_flux, &m_tail.faces, &m_tail.flux, &m_tail.d})
     sum += b->bytes();
   for (const Level& level : m_levels) {

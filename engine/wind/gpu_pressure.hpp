@@ -39,6 +39,8 @@ class GpuPressure {
   Status makeLevel(Level& level, const PressureLevel& source);
   Status makeTail(std::span<const PressureLevel> levels, std::size_t first);
   Status sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid);
+  Status findKinds(std::span<const PressureLevel> levels, const WindGrid& grid,
+                   std::vector<shared::WindLevel>& blocks);
   Status loadPrograms();
   void solveMultigrid(const GpuFields& fields, SolveStart start, int cycles);
   void recordCycles(const GpuFields& fields, int cycles);
@@ -57,6 +59,7 @@ class GpuPressure {
   Level m_tail;                 // its first level; faces: of all its levels
   gpu::Buffer m_levelBlocks;    // one every 256 bytes
   gpu::Buffer m_allLevels;      // one after the other
+  gpu::Buffer m_kinds;          // of regions, see isPlainRegion()
   gpu::Buffer m_lastInverse;    // of the last level, see denseInverse()
   std::string m_tailDefines;
   gpu::Buffer m_phi;        // the last step's pressure

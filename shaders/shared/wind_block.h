@@ -51,7 +51,8 @@ WL_SHARED_BEGIN
 // Storage buffers of the pressure passes.
 #define WIND_SSBO_PHI 1            // the last step's
 #define WIND_SSBO_D_IN 2
-#define WIND_SSBO_DENSE 3          // the inverse of the last level
+#define WIND_SSBO_DENSE 3          // tail: the inverse of the last level
+#define WIND_SSBO_KINDS 3          // other passes of the cycles: of their regions, 1: plain
 #define WIND_SSBO_D_OUT 4
 #define WIND_SSBO_FLUX 5
 #define WIND_SSBO_FACES 6          // not on level 0
@@ -117,7 +118,8 @@ struct WindLevel {
   int downGroupsX, downGroupsZ;
   int cells;                      // tail: where its cells begin in shared memory
   int faces;                      // tail: where its nodes begin, counted without the first level's
-  int padding;
+  int upKinds, downKinds;         // where the kinds of its regions begin
+  int paddingA, paddingB, paddingC;
 };
 
 // What a step tells the CPU, and the work-groups of the passes of the pressure solve: none once it has converged.
@@ -148,7 +150,7 @@ static_assert(sizeof(windloom::shared::WindBlock) == 160 + 96, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, minCorner) == 32, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, ambient) == 48, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, gustLayers) == 160, "std140 layout");
-static_assert(sizeof(windloom::shared::WindLevel) == 96, "std140 layout");
+static_assert(sizeof(windloom::shared::WindLevel) == 112, "std140 layout");
 static_assert(offsetof(windloom::shared::WindControl, groups) == 80, "std430 layout");
 #endif
 #endif

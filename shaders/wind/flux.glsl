@@ -9,45 +9,34 @@ layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]
 layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
 layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; };
 
-vec4 facesOfCell(ivec2 place) {
-  int u = uAt(place.x, place.y), w = wAt(place.x, place.y);
-  return vec4(star[u], star[u + 1], star[w], star[w + wind.stride]);
-}
-
 // b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2. What the pressure's
-// gradient carries out of a cell is summed from differences, which are exact where it is smooth. Answers whether the
-// region is plain.
-bool loadFlux(inout float sums[SUM_COUNT]) {
+// gradient carries out of a cell is summed from differences, which are exact where it is smooth.
+void loadFlux(const bool plain, inout float sums[SUM_COUNT]) {
   bool kept = control.history != 0u;
+  locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    ivec2 place = wrappedPlace(n);
-    loadStencil(n, place);
-    cells[n].d = place.x >= 0 && kept ? predicted[levelCell(place)] : 0.0;
+    bool there = isThere(plain, n);
+    cells[n].d = there && kept ? predicted[found[n]] : 0.0;
     cells[n].b = 0.0;
-    if (place.x < 0) continue;
+    if (!there) continue;
+    ivec2 place = plain ? placeOf(n) : wrappedPlace(n);
     int u = uAt(place.x, place.y), w = wAt(place.x, place.y);
     float speedX = star[u], speedZ = star[w];
     cells[n].b = (star[u + 1] - speedX) * wind.hz + (star[w + wind.stride] - speedZ) * wind.hx;
-    if (isInner(n)) sums[2] += speedX * speedX + speedZ * speedZ;
+    if (isInner(plain, n)) sums[2] += speedX * speedX + speedZ * speedZ;
   }
-  bool plain = findPlain();
   publish();
   float carried[WIND_STRIP];
-  if (plain) {
-    gatherRises(true, carried);
-  } else {
-    gatherRises(false, carried);
-  }
+  gatherRises(plain, carried);
   for (int n = 0; n < WIND_STRIP; ++n) {
     float before = cells[n].b;
     cells[n].b = before - carried[n];
-    if (!isInner(n)) continue;
+    if (!isInner(plain, n)) continue;
     sums[0] += before * before;
     sums[1] += cells[n].b * cells[n].b;
-    flux[levelCell(placeOf(n))] = cells[n].b;
+    flux[found[n]] = cells[n].b;
   }
   barrier();
-  return plain;
 }
 
 // Where the expected pressure makes the flux larger it is dropped, and this pass runs a second time without it.

@@ -14,35 +14,40 @@ layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 layout(std430, binding = WIND_SSBO_D_IN) readonly buffer DIn { float dIn[]; };
 
-bool load() {
+void load(const bool plain) {
+  locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    ivec2 place = wrappedPlace(n);
-    loadStencil(n, place);
-    cells[n].b = place.x >= 0 ? flux[levelCell(place)] : 0.0;
-    cells[n].d = place.x >= 0 ? dIn[levelCell(place)] : 0.0;
+    cells[n].b = isThere(plain, n) ? flux[found[n]] : 0.0;
+    cells[n].d = isThere(plain, n) ? dIn[found[n]] : 0.0;
   }
-  return findPlain();
 }
 #endif
 
-void main() {
 #ifdef FIRST
-  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
-  bool plain = loadFlux(sums);
+float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
+#endif
+
+void run(const bool plain) {
+#ifdef FIRST
+  loadFlux(plain, sums);
   for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, 1.0);
   const int done = 1;
 #else
-  bool plain = load();
+  load(plain);
   const int done = 0;
 #endif
   publish();
-  if (plain) {
-    for (int m = done; m < sweepCount; ++m) sweep(true, 1.0);
-  } else {
-    for (int m = done; m < sweepCount; ++m) sweep(false, 1.0);
-  }
+  for (int m = done; m < sweepCount; ++m) sweep(plain, 1.0);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
+    if (isInner(plain, n)) dOut[found[n]] = cells[n].d;
+  }
+}
+
+void main() {
+  if (isPlainRegion()) {
+    run(true);
+  } else {
+    run(false);
   }
 #ifdef FIRST
   if (joinAll(sums) && gl_LocalInvocationIndex == 0u) startSolve(sums);

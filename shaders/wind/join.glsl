@@ -9,21 +9,20 @@ layout(std430, binding = WIND_SSBO_LAST_APPLIED) buffer LastApplied { float last
 layout(std430, binding = WIND_SSBO_JOINED) buffer Joined { float joined[]; };
 #include "shaders/wind/halves.glsl"
 
-bool loadJoined() {
+void loadJoined(const bool plain) {
   uint done = control.cycles;
   float alpha = control.alpha, beta = control.beta;
   bool more = done > 1u;  // there was a p before this one
   int plane = planeSize(), from = halfOf(done - 1u), to = halfOf(done);
+  locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    ivec2 place = wrappedPlace(n);
-    loadStencil(n, place);
     cells[n].b = 0.0;
-    if (place.x < 0) continue;
-    int cell = levelCell(place);
+    if (!isThere(plain, n)) continue;
+    int cell = found[n];
     float ap = applied[cell] - (more ? beta * lastApplied[from + cell] : 0.0);
     float left = residualOf(done - 1u, cell) - alpha * ap;
     cells[n].b = left;
-    if (!isInner(n)) continue;
+    if (!isInner(plain, n)) continue;
     if ((done & 1u) == 0u) {
       flux[cell] = left;
     } else {
@@ -34,5 +33,4 @@ bool loadJoined() {
     joined[plane + cell] = (more ? joined[plane + cell] : 0.0) + alpha * p;
     joined[cell] = p;
   }
-  return findPlain();
 }

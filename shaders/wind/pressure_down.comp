@@ -21,13 +21,9 @@ layout(std430, binding = WIND_SSBO_CONTROL) readonly buffer Control { WindContro
 #else
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 
-bool load() {
-  for (int n = 0; n < WIND_STRIP; ++n) {
-    ivec2 place = wrappedPlace(n);
-    loadStencil(n, place);
-    cells[n].b = place.x >= 0 ? flux[levelCell(place)] : 0.0;
-  }
-  return findPlain();
+void load(const bool plain) {
+  locate(plain);
+  for (int n = 0; n < WIND_STRIP; ++n) cells[n].b = isThere(plain, n) ? flux[found[n]] : 0.0;
 }
 #endif
 
@@ -45,7 +41,7 @@ void findResiduals(const bool plain) {
   barrier();
   for (int n = 0; n < WIND_STRIP; ++n) {
     // b - A d with D d = -weight b.
-    bool counts = cells[n].inverse > 0.0 && (level.pair != 0 || isInner(n));
+    bool counts = plain || (cells[n].inverse > 0.0 && (level.pair != 0 || isInner(plain, n)));
     scratch[scratchAt(n)] = counts ? (1.0 - WIND_SMOOTH_DOWN) * cells[n].b - sums[n] : 0.0;
   }
   barrier();
@@ -139,19 +135,26 @@ void restrictTwice() {
   }
 }
 
-void main() {
-#if defined(FIRST)
-  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
-  bool plain = loadFlux(sums);
-#elif defined(AGAIN)
-  bool plain = loadJoined();
-#else
-  bool plain = load();
+#ifdef FIRST
+float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
 #endif
-  if (plain) {
-    findResiduals(true);
+
+void run(const bool plain) {
+#if defined(FIRST)
+  loadFlux(plain, sums);
+#elif defined(AGAIN)
+  loadJoined(plain);
+#else
+  load(plain);
+#endif
+  findResiduals(plain);
+}
+
+void main() {
+  if (isPlainRegion()) {
+    run(true);
   } else {
-    findResiduals(false);
+    run(false);
   }
   if (level.pair != 0) {
     restrictTwice();

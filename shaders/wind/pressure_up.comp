@@ -51,9 +51,6 @@ float correctionAt(ivec2 place) {
   return sum;
 }
 
-// No further than a coarse level of a plain region can reach around a periodic border.
-int wrapCoarse(int c, int count) { return c < 0 ? c + count : c < count ? c : c - count; }
-
 // Whether coarsening goes by two along both axes, and no cell of the next level is cut short by a periodic border.
 bool coarsensEvenly() {
   bool wholeX = level.xMin != WIND_BORDER_PERIODIC || level.width == 2 * level.coarseWidth;
@@ -61,16 +58,15 @@ bool coarsensEvenly() {
   return level.factorX == 2 && level.factorZ == 2 && wholeX && wholeZ;
 }
 
-// The correction of a strip in a plain region that coarsens evenly: each coarse row of its column and of the column
-// beside it is read once.
+// The correction of a strip in a plain region: each coarse row of its column and of the column beside it is read once.
 void correctStrip(out float corrections[WIND_STRIP]) {
   const int kRows = WIND_STRIP / 2;
-  ivec2 size = ivec2(level.coarseWidth, level.coarseHeight), place = wrappedPlace(0);
-  ivec2 c = place >> 1;
-  int side = wrapCoarse(c.x + ((place.x & 1) != 0 ? 1 : -1), size.x);
+  ivec2 place = placeOf(0);
+  int at = (place.y >> 1) * level.coarseWidth + (place.x >> 1);
+  int side = (place.x & 1) != 0 ? 1 : -1;
   float own[kRows + 2], beside[kRows];
-  for (int r = 0; r < kRows + 2; ++r) own[r] = coarseAt(c.x, wrapCoarse(c.y + r - 1, size.y));
-  for (int r = 0; r < kRows; ++r) beside[r] = coarseAt(side, wrapCoarse(c.y + r, size.y));
+  for (int r = 0; r < kRows + 2; ++r) own[r] = coarse[at + (r - 1) * level.coarseWidth];
+  for (int r = 0; r < kRows; ++r) beside[r] = coarse[at + r * level.coarseWidth + side];
   for (int r = 0; r < kRows; ++r) {
     float here = own[r + 1], base = here + 0.25 * (beside[r] - here);
     corrections[2 * r] = base + 0.25 * (own[r] - here);
@@ -83,15 +79,16 @@ void correctStrip(out float corrections[WIND_STRIP]) {
 void measure(const bool plain, uint cycle, inout float sums[SUM_COUNT]) {
   float az[WIND_STRIP];
   gather(plain, az);
+  float diagonal = 2.0 * (level.scaleX + level.scaleZ);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    if (!isInner(n)) continue;
-    int cell = levelCell(placeOf(n));
-    float value = cells[n].inverse > 0.0 ? az[n] - cells[n].d / cells[n].inverse : 0.0;
-    applied[cell] = value;
+    if (!isInner(plain, n)) continue;
+    float own = plain ? cells[n].d * diagonal : cells[n].inverse > 0.0 ? cells[n].d / cells[n].inverse : 0.0;
+    float value = plain || cells[n].inverse > 0.0 ? az[n] - own : 0.0;
+    applied[found[n]] = value;
     sums[0] += cells[n].b * value;
     sums[1] += value * value;
     sums[3] += cells[n].b * cells[n].b;
-    if (cycle > 0u) sums[2] += value * lastApplied[halfOf(cycle) + cell];
+    if (cycle > 0u) sums[2] += value * lastApplied[halfOf(cycle) + found[n]];
   }
 }
 
@@ -112,46 +109,47 @@ void endCycle(float sums[SUM_COUNT]) {
 }
 #endif
 
-void sweepAll(const bool plain) {
-  publish();
-  for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(plain, smoothingWeight(m));
-  for (int n = 0; n < WIND_STRIP; ++n) {
-    if (isInner(n)) dOut[levelCell(placeOf(n))] = cells[n].d;
-  }
-}
+#ifdef LEVEL0
+float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
+#endif
 
-void main() {
+void run(const bool plain) {
 #ifdef LEVEL0
   uint cycle = control.cycles;
-  float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
 #endif
+  locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
-    ivec2 place = wrappedPlace(n);
-    loadStencil(n, place);
-    bool there = place.x >= 0;
 #ifdef LEVEL0
-    cells[n].b = there ? residualOf(cycle, levelCell(place)) : 0.0;
+    cells[n].b = isThere(plain, n) ? residualOf(cycle, found[n]) : 0.0;
 #else
-    cells[n].b = there ? flux[levelCell(place)] : 0.0;
+    cells[n].b = isThere(plain, n) ? flux[found[n]] : 0.0;
 #endif
   }
-  if (findPlain() && coarsensEvenly()) {
+  if (plain) {
     float corrections[WIND_STRIP];
     correctStrip(corrections);
     for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, WIND_SMOOTH_DOWN) + corrections[n];
-    sweepAll(true);
-#ifdef LEVEL0
-    measure(true, cycle, sums);
-#endif
   } else {
     for (int n = 0; n < WIND_STRIP; ++n) {
       bool air = cells[n].inverse > 0.0;
       cells[n].d = air ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correctionAt(wrappedPlace(n)) : 0.0;
     }
-    sweepAll(false);
+  }
+  publish();
+  for (int m = WIND_SWEEPS_UP - 1; m >= 0; --m) sweep(plain, smoothingWeight(m));
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    if (isInner(plain, n)) dOut[found[n]] = cells[n].d;
+  }
 #ifdef LEVEL0
-    measure(false, cycle, sums);
+  measure(plain, cycle, sums);
 #endif
+}
+
+void main() {
+  if (isPlainRegion()) {
+    run(true);
+  } else {
+    run(false);
   }
 #ifdef LEVEL0
   if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums);

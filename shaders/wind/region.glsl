@@ -16,9 +16,10 @@ layout(std140, binding = WIND_UBO_LEVEL) uniform LevelBlock { WindLevel level; }
 layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { uint faces[]; };
 #endif
 
+layout(std430, binding = WIND_SSBO_KINDS) readonly buffer Kinds { uint kinds[]; };
+
 #define GROUP_SIZE (REGION * REGION / WIND_STRIP)
 shared float scratch[REGION * REGION];
-shared uint irregular;  // 1: some cell of the region is solid, or next to a solid or border
 
 struct Cell {
   float d, b;
@@ -30,10 +31,19 @@ struct Cell {
 #endif
 };
 Cell cells[WIND_STRIP];
+int found[WIND_STRIP];  // the cells' places in the level's arrays; -1: outside the field
 
-// Most regions hold nothing but air, and their cells differ in nothing but d and b. What follows takes as `plain`
-// whether that is so, always as a constant: two versions of the code without a choice in them are faster than one that
-// chooses at every cell.
+// Most regions lie inside the field and hold nothing but air: their cells differ in nothing but d and b. What follows
+// takes as `plain` whether that is so, always as a constant: two versions of the code without a choice in them are much
+// faster than one that chooses at every cell.
+bool isPlainRegion() {
+#ifdef DOWN
+  int first = level.downKinds;
+#else
+  int first = level.upKinds;
+#endif
+  return kinds[first + int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x)] != 0u;
+}
 
 int localX() { return int(gl_LocalInvocationID.x); }
 int localZ(int n) { return int(gl_LocalInvocationID.y) * WIND_STRIP + n; }
@@ -68,10 +78,12 @@ ivec2 wrappedPlace(int n) {
   return there ? place : ivec2(-1);
 }
 // Whether the work-group answers for the cell.
-bool isInner(int n) {
-  ivec2 local = ivec2(localX(), localZ(n)) - innerBegin(), count = innerCount(), place = placeOf(n);
-  return local.x >= 0 && local.y >= 0 && local.x < count.x && local.y < count.y && place.x < level.width &&
-         place.y < level.height;
+bool isInner(const bool plain, int n) {
+  ivec2 local = ivec2(localX(), localZ(n)) - innerBegin(), count = innerCount();
+  bool inner = local.x >= 0 && local.y >= 0 && local.x < count.x && local.y < count.y;
+  if (plain) return inner;
+  ivec2 place = placeOf(n);
+  return inner && place.x < level.width && place.y < level.height;
 }
 int levelCell(ivec2 place) { return place.y * level.width + place.x; }
 
@@ -89,7 +101,7 @@ void loadStencil(int n, ivec2 place) {
   cells[n].flags = flags;
   cells[n].inverse = inverseOf(alongX * level.scaleX + alongZ * level.scaleZ);
 }
-float neighbours(int n, const bool plain, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(const bool plain, int n, float xLow, float xHigh, float zLow, float zHigh) {
   if (plain) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
   uint flags = cells[n].flags;
   float x = ((flags & WIND_LINK_X_LOW) != 0u ? xLow : 0.0) + ((flags & WIND_LINK_X_HIGH) != 0u ? xHigh : 0.0);
@@ -107,30 +119,29 @@ void loadStencil(int n, ivec2 place) {
   cells[n].zHigh = there ? facesOf(faces[node + level.width + 1]).y * level.scaleZ : 0.0;
   cells[n].inverse = inverseOf((cells[n].xLow + cells[n].xHigh) + (cells[n].zLow + cells[n].zHigh));
 }
-float neighbours(int n, const bool plain, float xLow, float xHigh, float zLow, float zHigh) {
+float neighbours(const bool plain, int n, float xLow, float xHigh, float zLow, float zHigh) {
   if (plain) return (xLow + xHigh) * level.scaleX + (zLow + zHigh) * level.scaleZ;
   return (cells[n].xLow * xLow + cells[n].xHigh * xHigh) + (cells[n].zLow * zLow + cells[n].zHigh * zHigh);
 }
 #endif
 
-// After the stencils are loaded: whether the whole region is plain.
-bool isPlain(int n) {
-#ifdef LEVEL0
-  return cells[n].flags == WIND_ALL_LINKS;
-#else
-  return cells[n].xLow == level.scaleX && cells[n].xHigh == level.scaleX && cells[n].zLow == level.scaleZ &&
-         cells[n].zHigh == level.scaleZ;
-#endif
+float plainInverse() { return inverseOf(2.0 * (level.scaleX + level.scaleZ)); }
+
+// Finds the strip's cells and what belongs to them but d and b.
+void locate(const bool plain) {
+  int first = levelCell(placeOf(0));
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    if (plain) {
+      found[n] = first + n * level.width;
+      cells[n].inverse = plainInverse();
+    } else {
+      ivec2 place = wrappedPlace(n);
+      found[n] = place.x >= 0 ? levelCell(place) : -1;
+      loadStencil(n, place);
+    }
+  }
 }
-bool findPlain() {
-  if (gl_LocalInvocationIndex == 0u) irregular = 0u;
-  barrier();
-  bool plain = true;
-  for (int n = 0; n < WIND_STRIP; ++n) plain = plain && isPlain(n);
-  if (!plain) irregular = 1u;
-  barrier();
-  return irregular == 0u;
-}
+bool isThere(const bool plain, int n) { return plain || found[n] >= 0; }
 
 // Lets the others of the work-group see the cells' d.
 void publish() {
@@ -156,7 +167,7 @@ void lookAround(out vec4 around[WIND_STRIP]) {
 void gather(const bool plain, out float sums[WIND_STRIP]) {
   vec4 around[WIND_STRIP];
   lookAround(around);
-  for (int n = 0; n < WIND_STRIP; ++n) sums[n] = neighbours(n, plain, around[n].x, around[n].y, around[n].z, around[n].w);
+  for (int n = 0; n < WIND_STRIP; ++n) sums[n] = neighbours(plain, n, around[n].x, around[n].y, around[n].z, around[n].w);
 }
 
 #ifdef LEVEL0
@@ -186,16 +197,13 @@ void gatherRises(const bool plain, out float sums[WIND_STRIP]) {
 }
 #endif
 
-float plainInverse() { return inverseOf(2.0 * (level.scaleX + level.scaleZ)); }
-
 // d += weight (D^-1 (sum - b) - d), all cells at once.
 void sweep(const bool plain, float weight) {
   float sums[WIND_STRIP];
   gather(plain, sums);
   barrier();
   for (int n = 0; n < WIND_STRIP; ++n) {
-    float inverse = plain ? plainInverse() : cells[n].inverse;
-    cells[n].d += weight * ((sums[n] - cells[n].b) * inverse - cells[n].d);
+    cells[n].d += weight * ((sums[n] - cells[n].b) * cells[n].inverse - cells[n].d);
   }
   publish();
 }
