@@ -58,7 +58,8 @@ std::vector<shared::uint> packFaces(const PressureLevel& level) {
 struct TailSize {
   std::size_t cells = 0, first = 0, nodes = 0, last = 0;
   [[nodiscard]] std::size_t bytes() const {
-    return (cells + 1 + cells - first + 1 + nodes + last * last + last) * sizeof(float);
+    const std::size_t inverse = std::max<std::size_t>(last * last, 3 * WIND_TAIL_GROUP);  // also room for sums
+    return (cells + 1 + cells - first + 1 + nodes + inverse + last) * sizeof(float);
   }
 };
 TailSize tailSize(std::span<const PressureLevel> levels, std::size_t first) {
@@ -340,6 +341,13 @@ Status GpuPressure::loadPrograms() {
   gpu::ProgramSpec tail = windProgram("wind/pressure tail");
   tail.defines = m_tailDefines;
   m_runTail = load(tail);
+  tail = windProgram("wind/pressure tail start");
+  const std::string defines = "START " + m_tailDefines;
+  tail.defines = defines;
+  m_startTail = load(tail);
+  m_start = load(windProgram("wind/start"));
+  m_endCycle = load(windProgram("wind/end of cycle"));
+  m_report = load(windProgram("wind/report"));
   m_adopt = load(windProgram("wind/adopt"));
   m_jacobiFirst = load(windProgram("wind/jacobi first"));
   m_jacobi = load(windProgram("wind/jacobi"));
@@ -388,30 +396,53 @@ void GpuPressure::goUp(std::size_t level, const gpu::Buffer* commands) {
   dispatch(level == 0 ? *m_top : *m_up, {block.upGroupsX, block.upGroupsZ}, commands, WIND_COMMAND_UP + level);
 }
 
-void GpuPressure::runTail(const gpu::Buffer* commands) {
+void GpuPressure::runTail(const gpu::Program& program, const gpu::Buffer* commands) {
   afterLastPass(commands);
   m_tail.faces.bindStorage(WIND_SSBO_FACES);
   m_tail.flux.bindStorage(WIND_SSBO_FLUX);
   m_tail.d.bindStorage(WIND_SSBO_D_OUT);
   m_lastInverse.bindStorage(WIND_SSBO_DENSE);
-  dispatch(*m_runTail, {1, 1}, commands, WIND_COMMAND_TAIL);
+  dispatch(program, {1, 1}, commands, WIND_COMMAND_TAIL);
+}
+
+/// Adds up what `groups` work-groups of the last pass delivered.
+void GpuPressure::addUp(const gpu::Program& program, glm::ivec2 groups, const gpu::Buffer* commands) const {
+  afterLastPass(commands);
+  program.set("sumGroups", groups.x * groups.y);
+  dispatch(program, {1, 1}, commands, WIND_COMMAND_TAIL);
+}
+
+/// The flux pass; where the expected pressure may be of no use, also the look whether it is, and the pass without it.
+std::size_t GpuPressure::findFlux(const GpuFields& fields) {
+  m_predicted.bindStorage(WIND_SSBO_PREDICTED);
+  const std::size_t next = goDown(0, *m_first, nullptr);
+  const shared::WindLevel& level = m_levels[0].block;
+  const glm::ivec2 groups(level.downGroupsX, level.downGroupsZ);
+  if (fields.block.mayDrop == 0) {
+    m_startTail->set("sumGroups", groups.x * groups.y);
+    return next;
+  }
+  addUp(*m_start, groups, nullptr);
+  afterLastPass(&fields.control);
+  m_first->dispatchIndirect(fields.control, commandOffset(WIND_COMMAND_FIRST));
+  addUp(*m_start, groups, nullptr);
+  return next;
 }
 
 /// From the flux to `cycles` V-cycles. The first one always runs: a dispatch whose work-groups the GPU must look up
 /// takes longer.
 void GpuPressure::recordCycles(const GpuFields& fields, int cycles) {
-  m_predicted.bindStorage(WIND_SSBO_PREDICTED);
-  std::size_t next = goDown(0, *m_first, nullptr);
-  if (fields.block.mayDrop != 0) {  // once more where the expected pressure is of no use
-    afterLastPass(&fields.control);
-    m_first->dispatchIndirect(fields.control, commandOffset(WIND_COMMAND_FIRST));
-  }
+  const shared::WindLevel& finest = m_levels[0].block;
+  const gpu::Program& firstTail = fields.block.mayDrop == 0 ? *m_startTail : *m_runTail;
+  std::size_t next = findFlux(fields);
   for (int cycle = 0; cycle < cycles; ++cycle) {
     const gpu::Buffer* commands = cycle > 0 ? &fields.control : nullptr;
     if (cycle > 0) next = goDown(0, *m_again, commands);
     while (next < m_levels.size()) next = goDown(next, *m_down, commands);
-    runTail(commands);
+    runTail(cycle > 0 ? *m_runTail : firstTail, commands);
+    m_top->set("cycle", cycle);
     for (std::size_t l = m_levels.size(); l-- > 0;) goUp(l, commands);
+    addUp(*m_endCycle, {finest.upGroupsX, finest.upGroupsZ}, commands);
   }
 }
 
@@ -439,9 +470,11 @@ void GpuPressure::solveJacobi(const GpuFields& fields, const gpu::Buffer& spare,
     (last ? spare : m_d).bindStorage(WIND_SSBO_D_IN);
     (last ? m_d : spare).bindStorage(WIND_SSBO_D_OUT);
     program.dispatch(groups.x, groups.y);
-    if (round > 0 || fields.block.mayDrop == 0) continue;
+    if (round > 0) continue;
+    addUp(*m_start, groups, nullptr);
     afterLastPass(&fields.control);
     program.dispatchIndirect(fields.control, commandOffset(WIND_COMMAND_FIRST));
+    addUp(*m_start, groups, nullptr);
   }
 }
 
@@ -484,7 +517,10 @@ void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, cons
   fields.control.bindStorage(WIND_SSBO_CONTROL);
   fields.cells.bindImage(WIND_IMAGE_CELLS, GL_WRITE_ONLY);
   const gpu::Program* program = fields.solver.pressure == Pressure::Jacobi ? m_projectJacobi : m_project;
-  program->dispatchOver({fields.width(), (fields.height() + WIND_PROJECT_STRIP - 1) / WIND_PROJECT_STRIP});
+  const glm::ivec2 groups((fields.width() + WIND_GROUP_X - 1) / WIND_GROUP_X,
+                          (fields.height() + WIND_GROUP_Z * WIND_PROJECT_STRIP - 1) / (WIND_GROUP_Z * WIND_PROJECT_STRIP));
+  program->dispatch(groups.x, groups.y);
+  addUp(*m_report, groups, nullptr);
   std::swap(m_predicted, m_flux);
 }
 

@@ -29,6 +29,12 @@ class GpuPressure {
   /// u = q* - gradient of the pressure into `result` with ghosts, cell velocities and the numbers of the step.
   void project(const GpuFields& fields, const gpu::Buffer& star, const gpu::Buffer& result);
 
+  /// Work-groups of the pass that finds the flux.
+  [[nodiscard]] glm::ivec2 groupsOfFlux(Pressure kind) const {
+    const shared::WindLevel& b = m_levels[0].block;
+    return kind == Pressure::Jacobi ? glm::ivec2(b.upGroupsX, b.upGroupsZ) : glm::ivec2(b.downGroupsX, b.downGroupsZ);
+  }
+
   [[nodiscard]] std::size_t memoryBytes() const;
 
  private:
@@ -47,7 +53,9 @@ class GpuPressure {
   void solveJacobi(const GpuFields& fields, const gpu::Buffer& spare, int sweeps);
   std::size_t goDown(std::size_t level, const gpu::Program& program, const gpu::Buffer* commands);
   void goUp(std::size_t level, const gpu::Buffer* commands);
-  void runTail(const gpu::Buffer* commands);
+  void runTail(const gpu::Program& program, const gpu::Buffer* commands);
+  void addUp(const gpu::Program& program, glm::ivec2 groups, const gpu::Buffer* commands) const;
+  std::size_t findFlux(const GpuFields& fields);
   void bindLevel(std::size_t level) const;
   static const gpu::Buffer& bindScratch(const GpuFields& fields, const gpu::Buffer& star);
   [[nodiscard]] const gpu::Buffer& fluxOf(std::size_t level) const;
@@ -67,6 +75,7 @@ class GpuPressure {
   gpu::Buffer m_d;          // level 0: what the cycle found
   gpu::Buffer m_flux;       // residual of level 0 in even cycles
   const gpu::Program *m_first = nullptr, *m_again = nullptr, *m_down = nullptr, *m_up = nullptr, *m_top = nullptr;
+  const gpu::Program *m_start = nullptr, *m_endCycle = nullptr, *m_report = nullptr, *m_startTail = nullptr;
   const gpu::Program *m_adopt = nullptr, *m_runTail = nullptr, *m_jacobiFirst = nullptr, *m_jacobi = nullptr;
   const gpu::Program *m_project = nullptr, *m_projectJacobi = nullptr;
 };

@@ -53,10 +53,11 @@ void GpuTransport::fill(const GpuFields& fields) const {
   fields.carried.bindStorage(WIND_SSBO_CARRIED);
   fields.velocity.bindStorage(WIND_SSBO_RESULT);
   m_fill->dispatchOver(facesOf(fields));
+  afterLastPass();  // for whoever reads the velocity next
 }
 
 void GpuTransport::force(const GpuFields& fields, const GpuArrows& arrows) const {
-  afterLastPass();  // velocity by the last step's projection
+  // No barrier: the velocity was waited for before the last step's report, which may still run.
   arrows.bind();
   fields.velocity.bindStorage(WIND_SSBO_VELOCITY);
   fields.first.bindStorage(WIND_SSBO_ARROW_INCREMENTS);  // free until the advection

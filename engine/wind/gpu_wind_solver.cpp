@@ -121,6 +121,9 @@ void GpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
   // Looking whether the solve must begin again costs a dispatch: multigrid does it only where much may have changed.
   const bool sure = m_fields.solver.pressure == Pressure::Multigrid && m_cycles.knows(step);
   m_fields.block.mayDrop = sure ? 0 : 1;
+  const glm::ivec2 firstGroups = m_pressure.groupsOfFlux(m_fields.solver.pressure);
+  m_fields.block.firstGroupsX = firstGroups.x;
+  m_fields.block.firstGroupsZ = firstGroups.y;
   m_fields.sendBlock();
   const bool timed = step % kTimedEvery == 1;
   if (timed) m_timer.beginFrame();

@@ -94,6 +94,8 @@ struct WindBlock {
   int allLevels;
   int busyTiles;       // tiles that an arrow reaches
   int mayDrop;         // 1: where the expected pressure is of no use, the solve begins again without it
+  int firstGroupsX, firstGroupsZ;  // work-groups of the flux pass
+  int paddingA, paddingB;
   WindGustLayer gustLayers[WIND_GUST_LAYERS];
 };
 
@@ -129,7 +131,6 @@ struct WindControl {
   float flux;                     // mean square of the residual after the last cycle
   uint cycles;                    // done this step
   uint converged;                 // 0 or 1
-  uint arrived;                   // work-groups that have delivered their sums
   uint nonFinite;                 // cells reset since the start
   uint firstNonFinite;            // k * width + i; 0xffffffff: none
   float fluxAfter, maxFluxAfter;  // mean square and greatest size, m^2/s
@@ -139,17 +140,17 @@ struct WindControl {
   float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
   float size;                     // A p . A p
   uint history;                   // 0: the last step's pressure is of no use in this one
-  uint paddingA, paddingB;
+  uint paddingA, paddingB, paddingC;
   uint groups[WIND_COMMANDS * 4]; // indirect dispatches: x, y, z of each command
 };
 
 WL_SHARED_END
 #ifdef __cplusplus
 #include <cstddef>
-static_assert(sizeof(windloom::shared::WindBlock) == 160 + 96, "std140 layout");
+static_assert(sizeof(windloom::shared::WindBlock) == 176 + 96, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, minCorner) == 32, "std140 layout");
 static_assert(offsetof(windloom::shared::WindBlock, ambient) == 48, "std140 layout");
-static_assert(offsetof(windloom::shared::WindBlock, gustLayers) == 160, "std140 layout");
+static_assert(offsetof(windloom::shared::WindBlock, gustLayers) == 176, "std140 layout");
 static_assert(sizeof(windloom::shared::WindLevel) == 112, "std140 layout");
 static_assert(offsetof(windloom::shared::WindControl, groups) == 80, "std430 layout");
 #endif

@@ -9,7 +9,7 @@
 #define WIND_GROUP_Z 16
 
 // The last pass: cells along z of each invocation, so that few partial sums are left.
-#define WIND_PROJECT_STRIP 1
+#define WIND_PROJECT_STRIP 2
 
 // Work-group of the force pass: all but its first row and column write faces.
 #define WIND_FORCE_GROUP_X 32
@@ -34,5 +34,8 @@
 #define WIND_TAIL_CELLS 1024
 #define WIND_TAIL_GROUP 1024
 #define WIND_MAX_LEVELS 24
+
+// The work-group that adds up the sums of the others.
+#define WIND_TOTAL_GROUP 512
 
 #endif

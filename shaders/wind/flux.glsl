@@ -3,7 +3,6 @@
 #define SUM_COUNT 3
 #define SUM_ADDED 3
 #include "shaders/wind/sums.glsl"
-#include "shaders/wind/solve_control.glsl"
 
 layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]; };
 layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
@@ -12,7 +11,7 @@ layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; }
 // b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2. What the pressure's
 // gradient carries out of a cell is summed from differences, which are exact where it is smooth.
 void loadFlux(const bool plain, inout float sums[SUM_COUNT]) {
-  bool kept = control.history != 0u;
+  bool kept = wind.mayDrop == 0 || control.history != 0u;  // a look at it takes long
   locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
     bool there = isThere(plain, n);
@@ -37,19 +36,4 @@ void loadFlux(const bool plain, inout float sums[SUM_COUNT]) {
     flux[found[n]] = cells[n].b;
   }
   barrier();
-}
-
-// Where the expected pressure makes the flux larger it is dropped, and this pass runs a second time without it.
-void startSolve(float total[SUM_COUNT]) {
-  control.fluxBefore = total[0] * wind.perAir;
-  control.fluxStart = total[1] * wind.perAir;
-  control.flux = control.fluxStart;
-  float floorFlux = WIND_ROUNDING_FLOOR * max(wind.hx, wind.hz);
-  float speedSquare = total[2] * wind.perCell;
-  control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
-  control.cycles = 0u;
-  bool useless = wind.mayDrop != 0 && control.history != 0u && !(control.fluxStart <= control.fluxBefore);
-  if (useless) control.history = 0u;
-  control.converged = 0u;
-  setDispatches(true, useless);
 }

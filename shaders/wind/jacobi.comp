@@ -8,7 +8,7 @@ uniform int sweepCount;  // at most WIND_HALO
 layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer DOut { float dOut[]; };
 
 #ifdef FIRST
-layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
+layout(std430, binding = WIND_SSBO_CONTROL) readonly buffer Control { WindControl control; };
 #include "shaders/wind/flux.glsl"
 #else
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
@@ -50,6 +50,6 @@ void main() {
     run(false);
   }
 #ifdef FIRST
-  if (joinAll(sums) && gl_LocalInvocationIndex == 0u) startSolve(sums);
+  deliver(sums);
 #endif
 }

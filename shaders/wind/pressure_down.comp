@@ -13,7 +13,7 @@ layout(std430, binding = WIND_SSBO_COARSE_FACES) readonly buffer CoarseFaces { u
 layout(std430, binding = WIND_SSBO_COARSER) writeonly buffer Coarser { float coarser[]; };
 
 #if defined(FIRST)
-layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
+layout(std430, binding = WIND_SSBO_CONTROL) readonly buffer Control { WindControl control; };
 #include "shaders/wind/flux.glsl"
 #elif defined(AGAIN)
 layout(std430, binding = WIND_SSBO_CONTROL) readonly buffer Control { WindControl control; };
@@ -162,6 +162,6 @@ void main() {
     restrictOnce();
   }
 #ifdef FIRST
-  if (joinAll(sums) && gl_LocalInvocationIndex == 0u) startSolve(sums);
+  deliver(sums);
 #endif
 }

@@ -2,23 +2,34 @@
 // All small levels of the pressure solve in one work-group: the rest of a V-cycle, down and up. docs/solver.md section
 // 6. Everything that is read more than once is fetched at the start, since a look into the GPU's memory takes longer
 // than a sweep.
+// START: also ends the flux pass.
 // TAIL_CELLS, TAIL_FIRST, TAIL_NODES: cells of all levels, cells of the first one, nodes of all but the first one.
 // TAIL_STRIDES: cells of the first level per invocation. TAIL_LAST: cells of the last level, which is solved exactly.
 #include "shaders/wind/block.glsl"
 #include "shaders/wind/level_faces.glsl"
 
 layout(local_size_x = WIND_TAIL_GROUP) in;
-layout(std140, binding = WIND_UBO_LEVELS) uniform LevelsBlock { WindLevel levels[WIND_MAX_LEVELS]; };
 layout(std430, binding = WIND_SSBO_FACES) readonly buffer Faces { uint faces[]; };
 layout(std430, binding = WIND_SSBO_FLUX) readonly buffer Flux { float flux[]; };
 layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer DOut { float dOut[]; };
 
 layout(std430, binding = WIND_SSBO_DENSE) readonly buffer Dense { float lastInverse[]; };
 
+shared float dense[max(TAIL_LAST * TAIL_LAST, 3 * WIND_TAIL_GROUP)], lastRhs[TAIL_LAST];
+
+#ifdef START
+layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
+#define GROUP_SIZE WIND_TAIL_GROUP
+#define scratch dense  // no longer needed then
+#include "shaders/wind/start_solve.glsl"
+#define levels allLevels
+#else
+layout(std140, binding = WIND_UBO_LEVELS) uniform LevelsBlock { WindLevel levels[WIND_MAX_LEVELS]; };
+#endif
+
 shared uint nodes[TAIL_NODES];
 shared float d[TAIL_CELLS + 1];                 // the last one is the 0 of what lies outside
 shared float rhs[TAIL_CELLS - TAIL_FIRST + 1];  // of all levels but the first
-shared float dense[TAIL_LAST * TAIL_LAST], lastRhs[TAIL_LAST];
 float firstRhs[TAIL_STRIDES];
 uvec3 firstNodes[TAIL_STRIDES];  // a cell's own, the next along x, the next along z
 
@@ -180,4 +191,7 @@ void main() {
   for (int n = 0; n < TAIL_STRIDES; ++n) {
     if (cellOf(n) < countOf(levels[first])) dOut[cellOf(n)] = d[levels[first].cells + cellOf(n)];
   }
+#ifdef START
+  startSolve();
+#endif
 }

@@ -1,7 +1,7 @@
 #version 450 core
 // The way up of the pressure solve on one level: the sweep of the way down again and the coarser level's correction,
 // then smooth. docs/solver.md section 6.
-// LEVEL0: also finds A z, plans how the cycle joins the ones before, and ends the solve when little enough is left.
+// LEVEL0: also finds A z, and what end_cycle.glsl must know of it.
 #include "shaders/wind/region.glsl"
 
 layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer DOut { float dOut[]; };
@@ -11,12 +11,11 @@ layout(std430, binding = WIND_SSBO_COARSE_FACES) readonly buffer CoarseFaces { u
 #ifdef LEVEL0
 layout(std430, binding = WIND_SSBO_APPLIED) buffer Applied { float applied[]; };
 layout(std430, binding = WIND_SSBO_LAST_APPLIED) readonly buffer LastApplied { float lastApplied[]; };
-layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
 #define SUM_COUNT 4
 #define SUM_ADDED 4
 #include "shaders/wind/sums.glsl"
-#include "shaders/wind/solve_control.glsl"
 #include "shaders/wind/halves.glsl"
+uniform int cycle;  // which one of the solve, from 0
 #endif
 
 float coarseAt(int i, int k) { return coarse[k * level.coarseWidth + i]; }
@@ -76,7 +75,7 @@ void correctStrip(out float corrections[WIND_STRIP]) {
 
 #ifdef LEVEL0
 // The products r . A z, A z . A z, A z . A p and r . r of the inner cells; stores A z.
-void measure(const bool plain, uint cycle, inout float sums[SUM_COUNT]) {
+void measure(const bool plain, inout float sums[SUM_COUNT]) {
   float az[WIND_STRIP];
   gather(plain, az);
   float diagonal = 2.0 * (level.scaleX + level.scaleZ);
@@ -88,25 +87,10 @@ void measure(const bool plain, uint cycle, inout float sums[SUM_COUNT]) {
     sums[0] += cells[n].b * value;
     sums[1] += value * value;
     sums[3] += cells[n].b * cells[n].b;
-    if (cycle > 0u) sums[2] += value * lastApplied[halfOf(cycle) + found[n]];
+    if (cycle > 0) sums[2] += value * lastApplied[halfOf(uint(cycle)) + found[n]];
   }
 }
 
-void endCycle(float sums[SUM_COUNT]) {
-  float beta = control.cycles > 0u ? sums[2] / control.size : 0.0;
-  float size = sums[1] - (control.cycles > 0u ? beta * beta * control.size : 0.0);
-  bool useful = size > 0.0;
-  float alpha = useful ? sums[0] / size : 0.0;
-  control.beta = beta;
-  control.size = size;
-  control.alpha = alpha;
-  // From r . r of this cycle: subtracted cycle by cycle, the first one's rounding would hide the last one's residual.
-  control.flux = max(sums[3] - alpha * sums[0], 0.0) * wind.perAir;
-  control.cycles += 1u;
-  if (useful && control.flux > control.wanted) return;
-  control.converged = 1u;
-  setDispatches(false, false);
-}
 #endif
 
 #ifdef LEVEL0
@@ -114,13 +98,10 @@ float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
 #endif
 
 void run(const bool plain) {
-#ifdef LEVEL0
-  uint cycle = control.cycles;
-#endif
   locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
 #ifdef LEVEL0
-    cells[n].b = isThere(plain, n) ? residualOf(cycle, found[n]) : 0.0;
+    cells[n].b = isThere(plain, n) ? residualOf(uint(cycle), found[n]) : 0.0;
 #else
     cells[n].b = isThere(plain, n) ? flux[found[n]] : 0.0;
 #endif
@@ -141,7 +122,7 @@ void run(const bool plain) {
     if (isInner(plain, n)) dOut[found[n]] = cells[n].d;
   }
 #ifdef LEVEL0
-  measure(plain, cycle, sums);
+  measure(plain, sums);
 #endif
 }
 
@@ -152,6 +133,6 @@ void main() {
     run(false);
   }
 #ifdef LEVEL0
-  if (joinAll(sums) && gl_LocalInvocationIndex == 0u) endCycle(sums);
+  deliver(sums);
 #endif
 }

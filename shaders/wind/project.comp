@@ -31,7 +31,7 @@ layout(std430, binding = WIND_SSBO_PHI) buffer Phi { float phi[]; };
 layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
 layout(std430, binding = WIND_SSBO_D_IN) readonly buffer D { float d[]; };
 layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer NextPredicted { float nextPredicted[]; };
-layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
+layout(std430, binding = WIND_SSBO_CONTROL) readonly buffer Control { WindControl control; };
 
 #define GROUP_SIZE (WIND_GROUP_X * WIND_GROUP_Z)
 #define SUM_COUNT 5
@@ -79,15 +79,6 @@ float addedScale() {
 #endif
 }
 float expectedAt(int at) { return solution.kept ? predicted[at] : 0.0; }
-
-void report(float total[SUM_COUNT]) {
-  control.fluxAfter = total[0] * wind.perAir;
-  control.energy = 0.5 * total[1] * wind.perAir;
-  control.maxFluxAfter = total[2];
-  control.maxSpeedSquare = total[3];
-  control.crossing = total[4];
-  control.history = 1u;  // every work-group has read it
-}
 
 // The faces of a cell with nothing but air around it, without the gradient of a pressure.
 vec4 withoutPlainGradient(vec4 q, float p, vec4 around, float scale) {
@@ -142,6 +133,6 @@ void main() {
     int k = first + n * WIND_GROUP_Z;
     if (i < wind.width && k < wind.height) projectCell(i, k, sums);
   }
-  if (joinAll(sums) && gl_LocalInvocationIndex == 0u) report(sums);
+  deliver(sums);
 }
 #endif

@@ -9,12 +9,12 @@ void setDispatch(int command, int x, int z) {
   control.groups[4 * command + 2] = 1u;
 }
 
-// `run`: the passes of the cycles; `again`: this pass, the first one, once more.
+// `run`: the passes of the cycles; `again`: the flux pass once more.
 void setDispatches(bool run, bool again) {
   for (int l = 0; l < wind.ownLevels; ++l) {
     setDispatch(WIND_COMMAND_DOWN + l, run ? allLevels[l].downGroupsX : 0, allLevels[l].downGroupsZ);
     setDispatch(WIND_COMMAND_UP + l, run ? allLevels[l].upGroupsX : 0, allLevels[l].upGroupsZ);
   }
   setDispatch(WIND_COMMAND_TAIL, run ? 1 : 0, 1);
-  setDispatch(WIND_COMMAND_FIRST, again ? int(gl_NumWorkGroups.x) : 0, int(gl_NumWorkGroups.y));
+  setDispatch(WIND_COMMAND_FIRST, again ? wind.firstGroupsX : 0, wind.firstGroupsZ);
 }

@@ -1,9 +1,8 @@
-// Sums over all cells in one dispatch: each work-group delivers its own, and the last to arrive adds them up, always in
-// the same order. Before the include: SUM_COUNT values, of which the first SUM_ADDED are added and the others' greatest
-// is taken; GROUP_SIZE; a shared float array `scratch` of at least SUM_COUNT * GROUP_SIZE; a buffer `control`.
+// Sums over all cells: each work-group of a pass delivers its own, and a pass of a single work-group (total.glsl) adds
+// them up, always in the same order. Before the include: SUM_COUNT values, of which the first SUM_ADDED are added and
+// the others' greatest is taken; GROUP_SIZE; a shared float array `scratch` of at least SUM_COUNT * GROUP_SIZE.
 
-layout(std430, binding = WIND_SSBO_SUMS) coherent buffer Sums { float groupSums[]; };
-shared uint isLastGroup;
+layout(std430, binding = WIND_SSBO_SUMS) buffer Sums { float groupSums[]; };
 
 float joined2(int c, float a, float b) { return c < SUM_ADDED ? a + b : max(a, b); }
 
@@ -18,35 +17,18 @@ void joinScratch(int count, int left) {
   barrier();
 }
 
-// Joined over the work-group, for all invocations.
-void joinGroup(inout float sums[SUM_COUNT]) {
+// Joined over the work-group: value c stands in scratch[c * GROUP_SIZE].
+void joinGroup(float sums[SUM_COUNT]) {
   barrier();
   for (int c = 0; c < SUM_COUNT; ++c) scratch[c * GROUP_SIZE + int(gl_LocalInvocationIndex)] = sums[c];
   barrier();
   joinScratch(GROUP_SIZE, 128);
   joinScratch(128, 8);
   joinScratch(8, 1);
-  for (int c = 0; c < SUM_COUNT; ++c) sums[c] = scratch[c * GROUP_SIZE];
 }
 
-// True in all invocations of the work-group that arrives last; then the values are those of all groups.
-bool joinAll(inout float sums[SUM_COUNT]) {
+void deliver(float sums[SUM_COUNT]) {
   joinGroup(sums);
-  uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
-  if (gl_LocalInvocationIndex == 0u) {
-    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    for (int c = 0; c < SUM_COUNT; ++c) groupSums[group * uint(SUM_COUNT) + uint(c)] = sums[c];
-    memoryBarrierBuffer();
-    isLastGroup = atomicAdd(control.arrived, 1u) + 1u == groups ? 1u : 0u;
-  }
-  barrier();
-  if (isLastGroup == 0u) return false;
-  memoryBarrierBuffer();
-  for (int c = 0; c < SUM_COUNT; ++c) sums[c] = 0.0;
-  for (uint m = gl_LocalInvocationIndex; m < groups; m += uint(GROUP_SIZE)) {
-    for (int c = 0; c < SUM_COUNT; ++c) sums[c] = joined2(c, sums[c], groupSums[m * uint(SUM_COUNT) + uint(c)]);
-  }
-  joinGroup(sums);
-  if (gl_LocalInvocationIndex == 0u) control.arrived = 0u;
-  return true;
+  int c = int(gl_LocalInvocationIndex), group = int(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x);
+  if (c < SUM_COUNT) groupSums[group * SUM_COUNT + c] = scratch[c * GROUP_SIZE];
 }

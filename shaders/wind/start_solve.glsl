@@ -1,0 +1,25 @@
+// What the flux pass found, and how much of it the solve may leave. docs/solver.md section 6, points 1 to 3. Needs
+// block.glsl and a buffer `control`.
+#define SUM_COUNT 3  // f0^2, b^2, speed^2
+#define SUM_ADDED 3
+#include "shaders/wind/sums.glsl"
+#include "shaders/wind/total.glsl"
+#include "shaders/wind/solve_control.glsl"
+
+// Where the expected pressure makes the flux larger it is dropped, and the flux pass runs a second time without it.
+void startSolve() {
+  float total[SUM_COUNT];
+  addUp(total);
+  if (gl_LocalInvocationIndex != 0u) return;
+  control.fluxBefore = total[0] * wind.perAir;
+  control.fluxStart = total[1] * wind.perAir;
+  control.flux = control.fluxStart;
+  float floorFlux = WIND_ROUNDING_FLOOR * max(wind.hx, wind.hz);
+  float speedSquare = total[2] * wind.perCell;
+  control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
+  control.cycles = 0u;
+  control.converged = 0u;
+  bool useless = wind.mayDrop != 0 && control.history != 0u && !(control.fluxStart <= control.fluxBefore);
+  if (useless) control.history = 0u;
+  setDispatches(true, useless);
+}
