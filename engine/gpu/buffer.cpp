@@ -54,15 +54,15 @@ void Buffer::read(void* data, std::size_t bytes, std::size_t offset) const {
 }
 
 void Buffer::bindStorage(unsigned binding) const {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
+  bindIndexed(GL_SHADER_STORAGE_BUFFER, binding, name());
 }
 void Buffer::bindUniform(unsigned binding) const {
-  glBindBufferBase(GL_UNIFORM_BUFFER, binding, name());
+  bindIndexed(GL_UNIFORM_BUFFER, binding, name());
 }
 
 void Buffer::bindUniformRange(unsigned binding, std::size_t offset, std::size_t bytes) const {
   WL_REQUIRE(offset % 256 == 0 && offset + bytes <= m_bytes, "the range is aligned and lies inside the buffer");
-  glBindBufferRange(GL_UNIFORM_BUFFER, binding, name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
+  bindIndexed(GL_UNIFORM_BUFFER, binding, name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
 }
 
 }  // namespace windloom::gpu

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/core/log.hpp"
+#include "engine/gpu/bindings.hpp"
 #include "engine/gpu/context_info.hpp"
 
 namespace windloom::gpu {
@@ -36,6 +37,7 @@ std::string describeVersion() {
 
 // The callback's last argument is the context's DebugLog: the heap object stays where it is.
 void Context::attach(std::string platform) {
+  forgetBindings();
   m_info = {glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), std::move(platform), false};
   m_info.software = isSoftwareRenderer(m_info.renderer);
   glEnable(GL_DEBUG_OUTPUT);

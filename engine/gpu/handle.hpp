@@ -5,6 +5,8 @@
 
 #include <utility>
 
+#include "engine/gpu/bindings.hpp"
+
 namespace windloom::gpu {
 
 /// `Kind` says how names of its kind are deleted. Name 0 owns nothing.
@@ -36,7 +38,10 @@ class Handle {
 
 struct BufferKind {
   static constexpr GLenum kLabel = GL_BUFFER;
-  static void destroy(GLuint name) { glDeleteBuffers(1, &name); }
+  static void destroy(GLuint name) {
+    forgetBuffer(name);
+    glDeleteBuffers(1, &name);
+  }
 };
 struct TextureKind {
   static constexpr GLenum kLabel = GL_TEXTURE;
@@ -52,7 +57,10 @@ struct VertexArrayKind {
 };
 struct ProgramKind {
   static constexpr GLenum kLabel = GL_PROGRAM;
-  static void destroy(GLuint name) { glDeleteProgram(name); }
+  static void destroy(GLuint name) {
+    forgetProgram(name);
+    glDeleteProgram(name);
+  }
 };
 struct ShaderKind {
   static constexpr GLenum kLabel = GL_SHADER;

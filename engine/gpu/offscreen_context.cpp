@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/text.hpp"
+#include "engine/gpu/bindings.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/context_info.hpp"
 
@@ -32,6 +33,8 @@ class OffscreenContext final : public Context {
     eglDestroyContext(m_display, m_context);
   }
   void makeCurrent() override {
+    if (eglGetCurrentContext() == m_context) return;
+    forgetBindings();
     WL_REQUIRE(eglMakeCurrent(m_display, EGL_NO_SURFACE, EGL_NO_SURFACE, m_context),
                "an offscreen context can be current");
   }

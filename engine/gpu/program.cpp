@@ -18,7 +18,7 @@ Program::Program(Handle<ProgramKind> linked) : m_handle(std::move(linked)) {
 }
 
 void Program::use() const {
-  glUseProgram(name());
+  bindProgram(name());
 }
 
 GLint Program::location(std::string_view uniform) const {
@@ -34,7 +34,11 @@ void Program::set(std::string_view uniform, float value) const {
   glProgramUniform1f(name(), location(uniform), value);
 }
 void Program::set(std::string_view uniform, int value) const {
-  glProgramUniform1i(name(), location(uniform), value);
+  const GLint where = location(uniform);
+  const auto [known, isNew] = m_integers.try_emplace(where, value);
+  if (!isNew && known->second == value) return;  // as with bindings: the same again should cost nothing
+  known->second = value;
+  glProgramUniform1i(name(), where, value);
 }
 void Program::set(std::string_view uniform, unsigned value) const {
   glProgramUniform1ui(name(), location(uniform), value);

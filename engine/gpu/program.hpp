@@ -51,6 +51,7 @@ class Program {
   Handle<ProgramKind> m_handle;
   glm::ivec3 m_workGroupSize{0};
   mutable std::map<std::string, GLint, std::less<>> m_locations;
+  mutable std::map<GLint, int> m_integers;  // what was set
 };
 
 }  // namespace windloom::gpu

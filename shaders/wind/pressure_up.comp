@@ -112,8 +112,9 @@ void run(const bool plain) {
     for (int n = 0; n < WIND_STRIP; ++n) cells[n].d = afterFirstSweep(n, WIND_SMOOTH_DOWN) + corrections[n];
   } else {
     for (int n = 0; n < WIND_STRIP; ++n) {
-      bool air = cells[n].inverse > 0.0;
-      cells[n].d = air ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correctionAt(wrappedPlace(n)) : 0.0;
+      // Read for every cell, so that nothing waits for what is known of the cell before.
+      float correction = correctionAt(max(wrappedPlace(n), ivec2(0)));
+      cells[n].d = cells[n].inverse > 0.0 ? afterFirstSweep(n, WIND_SMOOTH_DOWN) + correction : 0.0;
     }
   }
   publish();

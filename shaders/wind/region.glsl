@@ -111,12 +111,12 @@ float neighbours(const bool plain, int n, float xLow, float xHigh, float zLow, f
 #else
 void loadStencil(int n, ivec2 place) {
   bool there = place.x >= 0;
-  int node = place.y * (level.width + 1) + place.x;
-  vec2 low = there ? facesOf(faces[node]) : vec2(0.0);
-  cells[n].xLow = low.x * level.scaleX;
-  cells[n].zLow = low.y * level.scaleZ;
-  cells[n].xHigh = there ? facesOf(faces[node + 1]).x * level.scaleX : 0.0;
-  cells[n].zHigh = there ? facesOf(faces[node + level.width + 1]).y * level.scaleZ : 0.0;
+  int node = there ? place.y * (level.width + 1) + place.x : 0;
+  vec2 low = facesOf(faces[node]), scale = there ? vec2(level.scaleX, level.scaleZ) : vec2(0.0);
+  cells[n].xLow = low.x * scale.x;
+  cells[n].zLow = low.y * scale.y;
+  cells[n].xHigh = facesOf(faces[node + 1]).x * scale.x;
+  cells[n].zHigh = facesOf(faces[node + level.width + 1]).y * scale.y;
   cells[n].inverse = inverseOf((cells[n].xLow + cells[n].xHigh) + (cells[n].zLow + cells[n].zHigh));
 }
 float neighbours(const bool plain, int n, float xLow, float xHigh, float zLow, float zHigh) {
