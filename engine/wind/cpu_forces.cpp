@@ -210,7 +210,7 @@ class IncrementRows {
 
 struct ForceJob {
   CpuFields& f;
-  std::span<const ArrowForce> arrows;
+  std::span<const PreparedArrow> arrows;
   const ArrowTiles& tiles;
   GustLayers layers;
 
@@ -221,7 +221,7 @@ struct ForceJob {
       const auto t = static_cast<std::size_t>(b * tiles.columns + a);
       const auto indices = std::span(tiles.indices).subspan(tiles.start[t], tiles.start[t + 1] - tiles.start[t]);
       arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), begin, end}, arrows, indices,
-                      out.x(first) + a * side, out.z(first) + a * side, static_cast<int>(out.x(1) - out.x(0)));
+                      {out.x(first) + a * side, out.z(first) + a * side, out.x(1) - out.x(0)});
     }
     const std::ptrdiff_t stride = out.x(1) - out.x(0);
     HWY_DYNAMIC_DISPATCH(addFieldForces)
@@ -251,7 +251,10 @@ struct ForceJob {
 CpuHealth applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles,
                       double time) {
   static_assert(WIND_TILE % kRowsPerTask == 0, "a task's rows lie in one row of tiles");
-  const ForceJob job{f, arrows, tiles, gustLayersAt(f.ambientSettings, time)};
+  thread_local std::vector<PreparedArrow> prepared;
+  prepared.clear();
+  for (const ArrowForce& arrow : arrows) prepared.emplace_back(arrow);
+  const ForceJob job{f, prepared, tiles, gustLayersAt(f.ambientSettings, time)};
   std::vector<CpuHealth> tasks(static_cast<std::size_t>(tasksFor(f.height())));
   forRows(pool, f.width(), f.height(),
           [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = job.rows(begin, end); });
