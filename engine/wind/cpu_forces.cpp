@@ -230,13 +230,14 @@ HWY_EXPORT(addFieldForces);
 HWY_EXPORT(addToFacesX);
 HWY_EXPORT(addToFacesZ);
 
-/// Increments of cell rows in a task's own memory; rows are named by their place in the field.
+/// Increments of cell rows in a task's own memory; rows count from the task's first.
 class IncrementRows {
  public:
   IncrementRows(std::vector<float>& memory, int stride, int rows) : m_stride(stride), m_rows(rows) {
     memory.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows) * 2);
     m_memory = memory.data();
   }
+  [[nodiscard]] std::ptrdiff_t stride() const { return m_stride; }
   [[nodiscard]] float* x(int n) const { return m_memory + static_cast<std::ptrdiff_t>(n) * m_stride; }
   [[nodiscard]] float* z(int n) const { return m_memory + static_cast<std::ptrdiff_t>(m_rows + n) * m_stride; }
 
@@ -246,40 +247,67 @@ class IncrementRows {
   float* m_memory;
 };
 
+/// Each task's increments along z of its first and of its last row of cells.
+class Seams {
+ public:
+  Seams(int stride, int tasks) : m_stride(stride), m_memory(static_cast<std::size_t>(stride * 2 * tasks)) {}
+  [[nodiscard]] float* first(int task) { return m_memory.data() + m_stride * 2 * task; }
+  [[nodiscard]] float* last(int task) { return first(task) + m_stride; }
+  [[nodiscard]] const float* first(int task) const { return m_memory.data() + m_stride * 2 * task; }
+  [[nodiscard]] const float* last(int task) const { return first(task) + m_stride; }
+
+ private:
+  std::ptrdiff_t m_stride;
+  std::vector<float> m_memory;
+};
+
 struct ForceJob {
   CpuFields& f;
   std::span<const PreparedArrow> arrows;
   const ArrowTiles& tiles;
   GustLayers layers;
 
-  /// Increments of rows [begin, end), which must lie in one row of tiles, into rows `first`... of `out`.
-  void increments(int begin, int end, const IncrementRows& out, int first) const {
+  /// Increments of rows [begin, end), which must lie in one row of tiles.
+  void increments(int begin, int end, const IncrementRows& out) const {
     const int side = tiles.cellsPerSide, b = begin / side;
     for (int a = 0; a < tiles.columns; ++a) {
       const auto t = static_cast<std::size_t>(b * tiles.columns + a);
       const auto indices = std::span(tiles.indices).subspan(tiles.start[t], tiles.start[t + 1] - tiles.start[t]);
       arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), begin, end}, arrows, indices,
-                      {out.x(first) + a * side, out.z(first) + a * side, out.x(1) - out.x(0)});
+                      {out.x(0) + a * side, out.z(0) + a * side, out.stride()});
     }
-    const std::ptrdiff_t stride = out.x(1) - out.x(0);
+    const std::ptrdiff_t stride = out.stride();
     HWY_DYNAMIC_DISPATCH(addFieldForces)
-    (f, begin, end, layers, out.x(first) - begin * stride, out.z(first) - begin * stride, stride);
+    (f, begin, end, layers, out.x(0) - begin * stride, out.z(0) - begin * stride, stride);
   }
 
-  [[nodiscard]] CpuHealth rows(int begin, int end) const {
+  /// All faces of rows [begin, end) but the z-faces that another task's cells act on too; those wait in the seams.
+  [[nodiscard]] CpuHealth rows(int task, int begin, int end, Seams& seams) const {
     CpuHealth health;
     thread_local std::vector<float> memory;
-    const IncrementRows own(memory, f.speedX.stride(), end - begin + 1);  // row 0: the one below `begin`
-    const int below = begin > 0 ? begin - 1 : f.grid.periodicZ() ? f.height() - 1 : -1;
-    if (below >= 0) increments(below, below + 1, own, 0);
-    increments(begin, end, own, 1);
-    for (int k = begin; k < end; ++k) {
-      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, k, own.x(k - begin + 1), f.forced.u.row(k), health);
-      const int low = k == begin && below < 0 ? 1 : k - begin;
-      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(k - begin + 1), f.forced.w.row(k), health);
+    const int count = end - begin;
+    const IncrementRows own(memory, f.speedX.stride(), count);
+    increments(begin, end, own);
+    const auto faceZ = [&](int k, int low, int high) {
+      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(high), f.forced.w.row(k), health);
+    };
+    if (begin == 0 && !f.grid.periodicZ()) faceZ(0, 0, 0);
+    for (int n = 0; n < count; ++n) {
+      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, begin + n, own.x(n), f.forced.u.row(begin + n), health);
+      if (n > 0) faceZ(begin + n, n - 1, n);
     }
-    if (end == f.height())
-      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end), health);
+    if (end == f.height() && !f.grid.periodicZ()) faceZ(end, count - 1, count - 1);
+    std::copy_n(own.z(0), f.width(), seams.first(task));
+    std::copy_n(own.z(count - 1), f.width(), seams.last(task));
+    return health;
+  }
+
+  /// The z-faces between a task's rows and those below.
+  [[nodiscard]] CpuHealth seam(int task, int tasks, const Seams& seams) const {
+    CpuHealth health;
+    if (task == 0 && !f.grid.periodicZ()) return health;
+    const int k = task * kRowsPerTask, below = task > 0 ? task - 1 : tasks - 1;
+    HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, seams.last(below), seams.first(task), f.forced.w.row(k), health);
     return health;
   }
 };
@@ -293,12 +321,18 @@ CpuHealth applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce
   prepared.clear();
   for (const ArrowForce& arrow : arrows) prepared.emplace_back(arrow);
   const ForceJob job{f, prepared, tiles, gustLayersAt(f.ambientSettings, time)};
-  std::vector<CpuHealth> tasks(static_cast<std::size_t>(tasksFor(f.height())));
-  forRows(pool, f.width(), f.height(),
-          [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = job.rows(begin, end); });
-  if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
+  const int tasks = tasksFor(f.height());
+  Seams seams(f.speedX.stride(), tasks);
+  std::vector<CpuHealth> found(static_cast<std::size_t>(tasks));
+  forRows(pool, f.width(), f.height(), [&](int task, int begin, int end) {
+    found[static_cast<std::size_t>(task)] = job.rows(task, begin, end, seams);
+  });
   CpuHealth health;
-  for (const CpuHealth& task : tasks) health.add(task);
+  for (int task = 0; task < tasks; ++task) {
+    health.add(job.seam(task, tasks, seams));
+    health.add(found[static_cast<std::size_t>(task)]);
+  }
+  if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
   return health;
 }
 
