@@ -10,43 +10,66 @@ namespace {
 
 constexpr std::size_t kMaxEntries = 8'000'000;
 
-struct TileBox {
-  int aMin, aMax, bMin, bMax;  // inclusive; empty where min > max
+struct Interval {
+  double low, high;
 };
 
-TileBox tilesNear(const WindGrid& grid, const ArrowTiles& tiles, const ArrowForce& arrow) {
-  const glm::dvec2 cellSize(grid.hx, grid.hz);
-  const glm::dvec2 low =
-      (glm::dvec2(glm::min(arrow.from, arrow.to)) - double(arrow.radius) - glm::dvec2(grid.mapping.minCorner)) /
-      cellSize;
-  const glm::dvec2 high =
-      (glm::dvec2(glm::max(arrow.from, arrow.to)) + double(arrow.radius) - glm::dvec2(grid.mapping.minCorner)) /
-      cellSize;
-  const auto tile = [&](double cell, int count) {
-    return static_cast<int>(std::clamp(std::floor(cell / tiles.cellsPerSide), -1.0, static_cast<double>(count)));
-  };
-  return {std::max(0, tile(low.x - 1, tiles.columns)), std::min(tiles.columns - 1, tile(high.x + 1, tiles.columns)),
-          std::max(0, tile(low.y - 1, tiles.rows)), std::min(tiles.rows - 1, tile(high.y + 1, tiles.rows))};
-}
+/// A bit more than what an arrow reaches, so that rounding loses no cell; m from the low corner of the field.
+struct Capsule {
+  glm::dvec2 a, b;
+  double radius;
 
-/// Whether the arrow's capsule can reach the tile: the box alone would give a long slanted arrow far too many tiles.
-bool reaches(const WindGrid& grid, const ArrowTiles& tiles, const ArrowForce& arrow, int a, int b) {
-  const glm::vec2 extent = float(tiles.cellsPerSide) * grid.mapping.cellSize;
-  const glm::vec2 centre = grid.mapping.minCorner + (glm::vec2(a, b) + 0.5f) * extent;
-  const glm::vec2 along = arrow.to - arrow.from;
-  const float square = glm::dot(along, along);
-  const float t = square > 0 ? std::clamp(glm::dot(centre - arrow.from, along) / square, 0.0f, 1.0f) : 0.0f;
-  const glm::vec2 away = glm::abs(centre - (arrow.from + along * t)) * 0.999f;
-  return glm::length(away) <= arrow.radius + glm::length(extent) * 0.501f;
-}
+  Capsule(const WindGrid& grid, const ArrowForce& arrow)
+      : a(glm::dvec2(arrow.from) - glm::dvec2(grid.mapping.minCorner)),
+        b(glm::dvec2(arrow.to) - glm::dvec2(grid.mapping.minCorner)),
+        radius(double(arrow.radius) * 1.00001 + 0.01 * double(std::max(grid.hx, grid.hz))) {}
 
-template <class Visit>
-void eachTile(const WindGrid& grid, const ArrowTiles& tiles, const ArrowForce& arrow, Visit visit) {
-  const TileBox box = tilesNear(grid, tiles, arrow);
-  for (int b = box.bMin; b <= box.bMax; ++b) {
-    for (int a = box.aMin; a <= box.aMax; ++a) {
-      if (reaches(grid, tiles, arrow, a, b)) visit(static_cast<std::size_t>(b * tiles.columns + a));
+  [[nodiscard]] Interval reachZ() const { return {std::min(a.y, b.y) - radius, std::max(a.y, b.y) + radius}; }
+
+  /// How far it reaches towards +x (side 1) or -x (-1) at a height within reachZ().
+  [[nodiscard]] double endAt(double z, double side) const {
+    const auto disc = [&](glm::dvec2 centre) {
+      const double square = radius * radius - (z - centre.y) * (z - centre.y);
+      return square >= 0 ? side * centre.x + std::sqrt(square) : -1e300;
+    };
+    double end = std::max(disc(a), disc(b));
+    const glm::dvec2 along = b - a;
+    const double length = glm::length(along);
+    if (length > 0 && along.y != 0) {  // the straight side between the discs
+      const glm::dvec2 out = glm::dvec2(along.y, -along.x) * (radius / length * (along.y * side > 0 ? 1.0 : -1.0));
+      const double part = (z - a.y - out.y) / along.y;
+      if (part > 0 && part < 1) end = std::max(end, side * (a.x + out.x + part * along.x));
     }
+    return side * end;
+  }
+
+  /// What it reaches along x between two heights that reachZ() touches. Its sides bulge outwards: they end at the
+  /// height nearest to that of the outermost end point.
+  [[nodiscard]] Interval reachX(Interval z) const {
+    const Interval all = reachZ();
+    z = {std::max(z.low, all.low), std::min(z.high, all.high)};
+    const bool aIsLow = a.x < b.x;
+    return {endAt(std::max(z.low, std::min(z.high, (aIsLow ? a : b).y)), -1),
+            endAt(std::max(z.low, std::min(z.high, (aIsLow ? b : a).y)), 1)};
+  }
+};
+
+/// Calls visit(first tile, number of tiles) for each row of tiles that the arrow reaches into.
+template <class Visit>
+void eachTileRow(const WindGrid& grid, const ArrowTiles& tiles, const ArrowForce& arrow, Visit visit) {
+  const Capsule capsule(grid, arrow);
+  const glm::dvec2 size = double(tiles.cellsPerSide) * glm::dvec2(grid.hx, grid.hz);
+  const auto tile = [](double place, int count) {
+    return static_cast<int>(std::clamp(std::floor(place), -1.0, static_cast<double>(count)));
+  };
+  const Interval z = capsule.reachZ();
+  const int last = std::min(tiles.rows - 1, tile(z.high / size.y, tiles.rows));
+  for (int row = std::max(0, tile(z.low / size.y, tiles.rows)); row <= last; ++row) {
+    const Interval x = capsule.reachX({row * size.y, (row + 1) * size.y});
+    const int begin = std::max(0, tile(x.low / size.x, tiles.columns));
+    const int end = std::min(tiles.columns, tile(x.high / size.x, tiles.columns) + 1);
+    if (begin < end)
+      visit(static_cast<std::size_t>(row * tiles.columns + begin), static_cast<std::size_t>(end - begin));
   }
 }
 
@@ -58,18 +81,35 @@ std::size_t countArrows(const WindGrid& grid, std::span<const ArrowForce> arrows
   tiles.start.assign(static_cast<std::size_t>(tiles.columns * tiles.rows) + 1, 0);
   std::size_t sum = 0;
   for (const ArrowForce& arrow : arrows) {
-    eachTile(grid, tiles, arrow, [&](std::size_t t) {
-      ++tiles.start[t + 1];
-      ++sum;
+    eachTileRow(grid, tiles, arrow, [&](std::size_t first, std::size_t count) {
+      for (std::size_t t = first; t < first + count; ++t) ++tiles.start[t + 1];
+      sum += count;
     });
     if (sum > kMaxEntries) break;
   }
   return sum;
 }
 
+/// Whether the tiles are those of arrows of these shapes already; takes the shapes down if not.
+bool sameShapes(const WindGrid& grid, std::span<const ArrowForce> arrows, ArrowTiles& tiles) {
+  const auto same = [](const ArrowForce& arrow, const ArrowTiles::Shape& shape) {
+    return arrow.from == shape.from && arrow.to == shape.to && arrow.radius == shape.radius;
+  };
+  const GridMapping &now = grid.mapping, &before = tiles.field;
+  if (tiles.cellsPerSide > 0 && now.minCorner == before.minCorner && now.size == before.size &&
+      now.resolution == before.resolution &&
+      std::equal(arrows.begin(), arrows.end(), tiles.shapes.begin(), tiles.shapes.end(), same))
+    return true;
+  tiles.field = grid.mapping;
+  tiles.shapes.clear();
+  for (const ArrowForce& arrow : arrows) tiles.shapes.push_back({arrow.from, arrow.to, arrow.radius});
+  return false;
+}
+
 }  // namespace
 
 void binArrows(const WindGrid& grid, std::span<const ArrowForce> arrows, ArrowTiles& tiles) {
+  if (sameShapes(grid, arrows, tiles)) return;
   int cellsPerSide = WIND_TILE;
   while (countArrows(grid, arrows, cellsPerSide, tiles) > kMaxEntries && tiles.columns * tiles.rows > 1)
     cellsPerSide *= 2;
@@ -77,7 +117,9 @@ void binArrows(const WindGrid& grid, std::span<const ArrowForce> arrows, ArrowTi
   tiles.indices.resize(tiles.start.back());
   std::vector<std::uint32_t> next(tiles.start.begin(), tiles.start.end() - 1);
   for (std::size_t n = 0; n < arrows.size(); ++n) {
-    eachTile(grid, tiles, arrows[n], [&](std::size_t t) { tiles.indices[next[t]++] = static_cast<std::uint32_t>(n); });
+    eachTileRow(grid, tiles, arrows[n], [&](std::size_t first, std::size_t count) {
+      for (std::size_t t = first; t < first + count; ++t) tiles.indices[next[t]++] = static_cast<std::uint32_t>(n);
+    });
   }
 }
 

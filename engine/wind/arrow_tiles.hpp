@@ -17,9 +17,17 @@ struct ArrowTiles {
   int columns = 0, rows = 0;
   std::vector<std::uint32_t> start;  ///< columns * rows + 1
   std::vector<std::uint32_t> indices;
+
+  /// What the lists were made from.
+  struct Shape {
+    glm::vec2 from, to;
+    float radius;
+  };
+  std::vector<Shape> shapes;
+  GridMapping field{};
 };
 
-/// Bins the arrows anew; reuses the memory of `tiles`.
+/// Bins the arrows, where their shapes or the field changed since the last call; reuses the memory of `tiles`.
 void binArrows(const WindGrid& grid, std::span<const ArrowForce> arrows, ArrowTiles& tiles);
 
 }  // namespace windloom

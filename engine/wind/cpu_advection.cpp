@@ -102,20 +102,24 @@ HWY_ATTR HWY_INLINE Corners cornersOf(const float* base, int stride, hn::Vec<Int
   const IntTag di;
   constexpr int kWindow = 2 * static_cast<int>(HWY_MAX_BYTES / sizeof(float)), kBack = kWindow / 4;
   const int xFirst = hn::GetLane(xCell) - kBack, zFirst = hn::GetLane(zCell);
-  const auto place = hn::Sub(xCell, hn::Set(di, xFirst)), row = hn::Sub(zCell, hn::Set(di, zFirst));
+  const auto place = hn::Sub(xCell, hn::Set(di, xFirst));
   const auto within =
       hn::And(hn::Eq(hn::And(place, hn::Set(di, kWindow - 1)), place), hn::Lt(place, hn::Set(di, kWindow - 1)));
   const auto next = hn::Add(place, hn::Set(di, 1));
   const float* window = base + static_cast<std::ptrdiff_t>(zFirst) * stride + xFirst;
-  const auto level = hn::Eq(row, hn::Zero(di));
-  if (hn::AllTrue(di, hn::And(within, level))) {
+  if (hn::AllTrue(di, hn::And(within, hn::Eq(zCell, hn::Set(di, zFirst))))) {
     const RowWindow low(window), high(window + stride);
     return {low.read(place), low.read(next), high.read(place), high.read(next), hn::Zero(d), hn::Zero(d)};
   }
-  if (!hn::AllTrue(di, hn::And(within, hn::Lt(hn::Abs(row), hn::Set(di, 2)))))
-    return gatherCorners(base, stride, xCell, zCell);
-  const auto middle = hn::RebindMask(d, level), upper = hn::RebindMask(d, hn::Gt(row, hn::Zero(di)));
-  const RowWindow r0(window - stride), r1(window), r2(window + stride), r3(window + 2 * stride);
+  // Four rows from the lowest serve all cells of air that moves less than a cell a step. They reach the plane's last
+  // row at most: its last cells alone would be level.
+  const int zLowest = hn::GetLane(hn::MinOfLanes(di, zCell));
+  const auto row = hn::Sub(zCell, hn::Set(di, zLowest));
+  if (!hn::AllTrue(di, hn::And(within, hn::Lt(row, hn::Set(di, 3))))) return gatherCorners(base, stride, xCell, zCell);
+  const auto middle = hn::RebindMask(d, hn::Eq(row, hn::Set(di, 1))),
+             upper = hn::RebindMask(d, hn::Gt(row, hn::Set(di, 1)));
+  const float* lowest = base + static_cast<std::ptrdiff_t>(zLowest) * stride + xFirst;
+  const RowWindow r0(lowest), r1(lowest + stride), r2(lowest + 2 * stride), r3(lowest + 3 * stride);
   const auto pick = [&](Floats a, Floats b, Floats c)
                         HWY_ATTR { return hn::IfThenElse(upper, c, hn::IfThenElse(middle, b, a)); };
   const Floats low1 = r1.read(place), low2 = r2.read(place), high1 = r1.read(next), high2 = r2.read(next);

@@ -41,6 +41,50 @@ void ghostRows(CpuPlane& plane, GhostRule low, GhostRule high, int period) {
   }
 }
 
+/// One side of the field that lies across x or z.
+struct Side {
+  bool acrossX, high;
+};
+
+/// What an open border that the ambient wind enters by lets in at its normal face n. Air that the ambient wind itself
+/// follows at once would let each face whose velocity is about 0, as in front of an obstacle, fall to one side: full
+/// inflow or outflow, face by face. Where a stretch of the border lets in less air than the ambient wind brings, that
+/// stretch moves as one and the ambient wind stays out.
+float inflowAt(const CpuFields& f, Side side, int n) {
+  const WindGrid& g = f.grid;
+  const int count = side.acrossX ? g.height : g.width, line = side.high ? (side.acrossX ? g.width : g.height) : 0;
+  const bool periodic = side.acrossX ? g.periodicZ() : g.periodicX();
+  const float inward = side.high ? -1.0f : 1.0f, wanted = inward * (side.acrossX ? f.ambient.x : f.ambient.y);
+  float sum = 0;
+  int faces = 0;
+  for (int m = n - kInflowReach; m <= n + kInflowReach; ++m) {
+    const int face = periodic ? (m % count + count) % count : m;
+    if (face < 0 || face >= count) continue;
+    if (side.acrossX ? g.blockedX(line, face) : g.blockedZ(face, line)) continue;
+    sum += side.acrossX ? f.velocity.u.at(line, face) : f.velocity.w.at(face, line);
+    ++faces;
+  }
+  if (faces == 0) return inward * wanted;
+  const float mean = inward * sum / static_cast<float>(faces), part = std::clamp(mean / wanted, 0.0f, 1.0f);
+  return inward * (mean + part * part * (wanted - mean));
+}
+
+/// Ghosts of the normal component behind open borders that the ambient wind enters by.
+void inflowColumns(const CpuFields& f, CpuPlane& u) {
+  const WindGrid& g = f.grid;
+  for (int k = 0; k < g.height; ++k) {
+    if (g.xMin == Border::Open && f.ambient.x > 0) u.at(-1, k) = inflowAt(f, {true, false}, k);
+    if (g.xMax == Border::Open && f.ambient.x < 0) u.at(g.width + 1, k) = inflowAt(f, {true, true}, k);
+  }
+}
+void inflowRows(const CpuFields& f, CpuPlane& w) {
+  const WindGrid& g = f.grid;
+  for (int i = -1; i <= g.width; ++i) {
+    if (g.zMin == Border::Open && f.ambient.y > 0) w.at(i, -1) = inflowAt(f, {false, false}, i);
+    if (g.zMax == Border::Open && f.ambient.y < 0) w.at(i, g.height + 1) = inflowAt(f, {false, true}, i);
+  }
+}
+
 template <class Predicate>
 CpuRuns findRuns(int columns, int rows, Predicate inside) {
   CpuRuns result;
@@ -70,11 +114,13 @@ void fillGhosts(const CpuFields& fields, CpuVelocity& velocity, OpenGhost open) 
   const auto wall = [&](float WallSpeeds::*side) { return fields.noSlip ? &((*fields.noSlip).*side) : nullptr; };
   const glm::vec2 a = fields.ambient;
   ghostColumns(velocity.u, ruleOf(g.xMin, a.x, open, nullptr), ruleOf(g.xMax, a.x, open, nullptr), g.width);
+  if (open == OpenGhost::Ambient) inflowColumns(fields, velocity.u);
   ghostRows(velocity.u, ruleOf(g.zMin, a.x, open, wall(&WallSpeeds::zMin)),
             ruleOf(g.zMax, a.x, open, wall(&WallSpeeds::zMax)), g.height);
   ghostColumns(velocity.w, ruleOf(g.xMin, a.y, open, wall(&WallSpeeds::xMin)),
                ruleOf(g.xMax, a.y, open, wall(&WallSpeeds::xMax)), g.width);
   ghostRows(velocity.w, ruleOf(g.zMin, a.y, open, nullptr), ruleOf(g.zMax, a.y, open, nullptr), g.height);
+  if (open == OpenGhost::Ambient) inflowRows(fields, velocity.w);
 }
 
 void findBlocked(CpuFields& fields) {

@@ -46,6 +46,9 @@ struct CpuRuns {
   std::vector<int> start;  // rows + 1
 };
 
+/// Texels in a row of CpuFields' gust table.
+inline constexpr int kGustRow = WIND_GUST_TABLE + 1;
+
 struct CpuFields {
   WindGrid grid;
   SolverSettings solver;
@@ -54,8 +57,7 @@ struct CpuFields {
   float dt = 0;
   glm::vec2 ambient{0};     // without gusts, m/s
   float gustAmplitude = 0;  // m/s
-  std::vector<float> gustAlong,
-      gustAcross;  // the gust table's components, with its first row and column again at the end
+  std::vector<glm::vec2> gustTable;  // with its first row and column again at the end: rows of kGustRow
 
   CpuVelocity velocity;                  // the field that left the last step
   CpuVelocity forced, moved, corrected;  // q; q', then q*; room for the correction

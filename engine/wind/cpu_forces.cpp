@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 #include "engine/wind/cpu_arrows.hpp"
 #include "engine/wind/cpu_borders.hpp"
@@ -35,7 +37,9 @@ namespace {
 
 namespace hn = hwy::HWY_NAMESPACE;
 using FloatTag = hn::ScalableTag<float>;
+using IntTag = hn::RebindToSigned<FloatTag>;
 using Floats = hn::Vec<FloatTag>;
+using Ints = hn::Vec<IntTag>;
 
 /// Vorticity at the nodes of row k (0..H), out[0..W].
 HWY_ATTR void nodeVorticity(const CpuFields& f, int k, float* HWY_RESTRICT out) {
@@ -88,46 +92,80 @@ HWY_ATTR void addConfinement(const CpuFields& f, ForceRow row, const float* node
   }
 }
 
-/// Adds one copy of the gust table to a row of sums.
-HWY_ATTR void addGustLayer(const CpuFields& f, int k, const WindGustLayer& layer, float* HWY_RESTRICT sumX,
-                           float* HWY_RESTRICT sumZ) {
-  constexpr int kSide = WIND_GUST_TABLE;
-  const float *HWY_RESTRICT along = f.gustAlong.data(), *HWY_RESTRICT across = f.gustAcross.data();
-  const float cosine = layer.axis.x, sine = layer.axis.y, scale = layer.texelsPerMetre;
-  const float z = f.grid.mapping.minCorner.y + (static_cast<float>(k) + 0.5f) * f.grid.mapping.cellSize.y;
-  const float xLow = f.grid.mapping.minCorner.x, dx = f.grid.mapping.cellSize.x;
-  for (int i = 0, width = f.width(); i < width; ++i) {
-    const float x = xLow + (static_cast<float>(i) + 0.5f) * dx;
-    const float a = (x * cosine + z * sine) * scale + layer.offset.x,
-                b = (z * cosine - x * sine) * scale + layer.offset.y;
-    const float aWhole = std::floor(a), bWhole = std::floor(b);
-    const float ta = a - aWhole, tb = b - bWhole;
-    const int ia = static_cast<int>(aWhole) & (kSide - 1), ib = static_cast<int>(bWhole) & (kSide - 1);
-    const int at = ib * (kSide + 1) + ia;
-    const float lowA = along[at] + (along[at + 1] - along[at]) * ta;
-    const float highA = along[at + kSide + 1] + (along[at + kSide + 2] - along[at + kSide + 1]) * ta;
-    const float lowB = across[at] + (across[at + 1] - across[at]) * ta;
-    const float highB = across[at + kSide + 1] + (across[at + kSide + 2] - across[at + kSide + 1]) * ta;
-    const float va = lowA + (highA - lowA) * tb, vb = lowB + (highB - lowB) * tb;
-    sumX[i] += layer.weight * (va * cosine - vb * sine);
-    sumZ[i] += layer.weight * (va * sine + vb * cosine);
+constexpr int kGustChunk = 64;  // cells whose texels wait in the first cache
+
+/// What the gusts of a chunk are made from.
+struct GustChunk {
+  HWY_ALIGN float sumX[kGustChunk], sumZ[kGustChunk], partAlong[kGustChunk], partAcross[kGustChunk];
+  HWY_ALIGN std::int32_t texel[kGustChunk];
+  HWY_ALIGN float low[kGustChunk * 4], high[kGustChunk * 4];  // both components of two texels in a row
+};
+
+/// Sums of the copies of the table over the cells from (i, k). The texels are copied one by one: a gather of the eight
+/// numbers of each cell took several times as long.
+HWY_ATTR void sumGustLayers(const CpuFields& f, int i, int k, const GustLayers& layers, GustChunk& chunk) {
+  const FloatTag d;
+  const IntTag di;
+  const glm::vec2 corner = f.grid.mapping.minCorner, size = f.grid.mapping.cellSize;
+  const float z = corner.y + (static_cast<float>(k) + 0.5f) * size.y;
+  std::fill_n(chunk.sumX, kGustChunk, 0.0f);
+  std::fill_n(chunk.sumZ, kGustChunk, 0.0f);
+  for (const WindGustLayer& layer : layers) {
+    const Floats cosine = hn::Set(d, layer.axis.x), sine = hn::Set(d, layer.axis.y);
+    const Floats scale = hn::Set(d, layer.texelsPerMetre), weight = hn::Set(d, layer.weight);
+    const Ints wrap = hn::Set(di, WIND_GUST_TABLE - 1), stride = hn::Set(di, kGustRow);
+    for (std::size_t n = 0; n < kGustChunk; n += hn::Lanes(d)) {
+      const Floats cell = hn::Iota(d, static_cast<float>(i + static_cast<int>(n)) + 0.5f);
+      const Floats x = hn::Add(hn::Set(d, corner.x), hn::Mul(cell, hn::Set(d, size.x)));
+      const Floats turnedX = hn::Add(hn::Mul(x, cosine), hn::Set(d, z * layer.axis.y));
+      const Floats turnedZ = hn::Sub(hn::Set(d, z * layer.axis.x), hn::Mul(x, sine));
+      const Floats a = hn::Add(hn::Mul(turnedX, scale), hn::Set(d, layer.offset.x));
+      const Floats b = hn::Add(hn::Mul(turnedZ, scale), hn::Set(d, layer.offset.y));
+      const Floats aWhole = hn::Floor(a), bWhole = hn::Floor(b);
+      hn::Store(hn::Sub(a, aWhole), d, chunk.partAlong + n);
+      hn::Store(hn::Sub(b, bWhole), d, chunk.partAcross + n);
+      const Ints column = hn::And(hn::ConvertTo(di, aWhole), wrap), row = hn::And(hn::ConvertTo(di, bWhole), wrap);
+      hn::Store(hn::Add(hn::Mul(row, stride), column), di, chunk.texel + n);
+    }
+    for (int n = 0; n < kGustChunk; ++n) {
+      const glm::vec2* texel = f.gustTable.data() + chunk.texel[n];
+      std::memcpy(chunk.low + 4 * n, texel, 2 * sizeof(glm::vec2));
+      std::memcpy(chunk.high + 4 * n, texel + kGustRow, 2 * sizeof(glm::vec2));
+    }
+    for (std::size_t n = 0; n < kGustChunk; n += hn::Lanes(d)) {
+      Floats a, b, nextA, nextB, aboveA, aboveB, lastA, lastB;
+      hn::LoadInterleaved4(d, chunk.low + 4 * n, a, b, nextA, nextB);
+      hn::LoadInterleaved4(d, chunk.high + 4 * n, aboveA, aboveB, lastA, lastB);
+      const Floats ta = hn::Load(d, chunk.partAlong + n), tb = hn::Load(d, chunk.partAcross + n);
+      const auto between = [&](Floats from, Floats to, Floats part)
+                               HWY_ATTR { return hn::Add(from, hn::Mul(hn::Sub(to, from), part)); };
+      const Floats va = between(between(a, nextA, ta), between(aboveA, lastA, ta), tb);
+      const Floats vb = between(between(b, nextB, ta), between(aboveB, lastB, ta), tb);
+      const Floats alongX = hn::Sub(hn::Mul(va, cosine), hn::Mul(vb, sine)),
+                   alongZ = hn::Add(hn::Mul(va, sine), hn::Mul(vb, cosine));
+      hn::Store(hn::Add(hn::Load(d, chunk.sumX + n), hn::Mul(weight, alongX)), d, chunk.sumX + n);
+      hn::Store(hn::Add(hn::Load(d, chunk.sumZ + n), hn::Mul(weight, alongZ)), d, chunk.sumZ + n);
+    }
   }
 }
 
-HWY_ATTR void addGusts(const CpuFields& f, ForceRow row, const GustLayers& layers, float* HWY_RESTRICT sumX,
-                       float* HWY_RESTRICT sumZ) {
-  std::fill_n(sumX, f.width(), 0.0f);
-  std::fill_n(sumZ, f.width(), 0.0f);
-  for (const WindGustLayer& layer : layers) addGustLayer(f, row.k, layer, sumX, sumZ);
-  const float part = 1 - std::exp(-f.dt / WIND_GUST_RESPONSE);
-  const float amplitude = f.gustAmplitude, fade = 1 / (4 * amplitude * amplitude);
-  const float *HWY_RESTRICT vx = f.speedX.row(row.k), *HWY_RESTRICT vz = f.speedZ.row(row.k);
-  float *HWY_RESTRICT outX = row.incrementX, *HWY_RESTRICT outZ = row.incrementZ;
-  for (int i = 0, width = f.width(); i < width; ++i) {
-    const float x = f.ambient.x + amplitude * sumX[i] - vx[i], z = f.ambient.y + amplitude * sumZ[i] - vz[i];
-    const float weight = part / (1 + (x * x + z * z) * fade);
-    outX[i] += weight * x;
-    outZ[i] += weight * z;
+HWY_ATTR void addGusts(const CpuFields& f, ForceRow row, const GustLayers& layers) {
+  const FloatTag d;
+  const Floats one = hn::Set(d, 1.0f), amplitude = hn::Set(d, f.gustAmplitude);
+  const Floats part = hn::Set(d, 1 - std::exp(-f.dt / WIND_GUST_RESPONSE));
+  const Floats fade = hn::Set(d, 1 / (4 * f.gustAmplitude * f.gustAmplitude));
+  const float *vx = f.speedX.row(row.k), *vz = f.speedZ.row(row.k);
+  GustChunk chunk;
+  for (int i = 0, width = f.width(); i < width; i += static_cast<int>(hn::Lanes(d))) {
+    const int n = i % kGustChunk;
+    if (n == 0) sumGustLayers(f, i, row.k, layers, chunk);
+    const Floats meanX = hn::Set(d, f.ambient.x), meanZ = hn::Set(d, f.ambient.y);
+    const Floats x = hn::Sub(hn::Add(meanX, hn::Mul(amplitude, hn::Load(d, chunk.sumX + n))), hn::LoadU(d, vx + i));
+    const Floats z = hn::Sub(hn::Add(meanZ, hn::Mul(amplitude, hn::Load(d, chunk.sumZ + n))), hn::LoadU(d, vz + i));
+    const Floats square = hn::Add(hn::Mul(x, x), hn::Mul(z, z));
+    const Floats weight = hn::Div(part, hn::Add(one, hn::Mul(square, fade)));
+    hn::StoreU(hn::Add(hn::LoadU(d, row.incrementX + i), hn::Mul(weight, x)), d, row.incrementX + i);
+    hn::StoreU(hn::Add(hn::LoadU(d, row.incrementZ + i), hn::Mul(weight, z)), d, row.incrementZ + i);
   }
 }
 
@@ -136,13 +174,13 @@ HWY_ATTR void addFieldForces(const CpuFields& f, int begin, int end, const GustL
                              float* incrementZ, std::ptrdiff_t stride) {
   thread_local std::vector<float> memory;
   const std::ptrdiff_t room = f.speedX.stride();
-  memory.assign(static_cast<std::size_t>(room) * 4, 0.0f);
+  memory.assign(static_cast<std::size_t>(room) * 2, 0.0f);
   const auto scratch = [&](int n) { return memory.data() + n * room + CpuPlane::kMargin; };
   const bool confine = f.solver.confinement > 0;
   if (confine) nodeVorticity(f, begin, scratch(begin & 1));
   for (int k = begin; k < end; ++k) {
     const ForceRow row{k, incrementX + k * stride, incrementZ + k * stride};
-    if (f.gustAmplitude > 0) addGusts(f, row, layers, scratch(2), scratch(3));
+    if (f.gustAmplitude > 0) addGusts(f, row, layers);
     if (!confine) continue;
     nodeVorticity(f, k + 1, scratch((k + 1) & 1));
     addConfinement(f, row, scratch(k & 1), scratch((k + 1) & 1));
@@ -192,13 +230,14 @@ HWY_EXPORT(addFieldForces);
 HWY_EXPORT(addToFacesX);
 HWY_EXPORT(addToFacesZ);
 
-/// Increments of cell rows in a task's own memory; rows are named by their place in the field.
+/// Increments of cell rows in a task's own memory; rows count from the task's first.
 class IncrementRows {
  public:
   IncrementRows(std::vector<float>& memory, int stride, int rows) : m_stride(stride), m_rows(rows) {
     memory.resize(static_cast<std::size_t>(stride) * static_cast<std::size_t>(rows) * 2);
     m_memory = memory.data();
   }
+  [[nodiscard]] std::ptrdiff_t stride() const { return m_stride; }
   [[nodiscard]] float* x(int n) const { return m_memory + static_cast<std::ptrdiff_t>(n) * m_stride; }
   [[nodiscard]] float* z(int n) const { return m_memory + static_cast<std::ptrdiff_t>(m_rows + n) * m_stride; }
 
@@ -208,40 +247,67 @@ class IncrementRows {
   float* m_memory;
 };
 
+/// Each task's increments along z of its first and of its last row of cells.
+class Seams {
+ public:
+  Seams(int stride, int tasks) : m_stride(stride), m_memory(static_cast<std::size_t>(stride * 2 * tasks)) {}
+  [[nodiscard]] float* first(int task) { return m_memory.data() + m_stride * 2 * task; }
+  [[nodiscard]] float* last(int task) { return first(task) + m_stride; }
+  [[nodiscard]] const float* first(int task) const { return m_memory.data() + m_stride * 2 * task; }
+  [[nodiscard]] const float* last(int task) const { return first(task) + m_stride; }
+
+ private:
+  std::ptrdiff_t m_stride;
+  std::vector<float> m_memory;
+};
+
 struct ForceJob {
   CpuFields& f;
-  std::span<const ArrowForce> arrows;
+  std::span<const PreparedArrow> arrows;
   const ArrowTiles& tiles;
   GustLayers layers;
 
-  /// Increments of rows [begin, end), which must lie in one row of tiles, into rows `first`... of `out`.
-  void increments(int begin, int end, const IncrementRows& out, int first) const {
+  /// Increments of rows [begin, end), which must lie in one row of tiles.
+  void increments(int begin, int end, const IncrementRows& out) const {
     const int side = tiles.cellsPerSide, b = begin / side;
     for (int a = 0; a < tiles.columns; ++a) {
       const auto t = static_cast<std::size_t>(b * tiles.columns + a);
       const auto indices = std::span(tiles.indices).subspan(tiles.start[t], tiles.start[t + 1] - tiles.start[t]);
       arrowIncrements(f, {a * side, std::min(f.width(), (a + 1) * side), begin, end}, arrows, indices,
-                      out.x(first) + a * side, out.z(first) + a * side, static_cast<int>(out.x(1) - out.x(0)));
+                      {out.x(0) + a * side, out.z(0) + a * side, out.stride()});
     }
-    const std::ptrdiff_t stride = out.x(1) - out.x(0);
+    const std::ptrdiff_t stride = out.stride();
     HWY_DYNAMIC_DISPATCH(addFieldForces)
-    (f, begin, end, layers, out.x(first) - begin * stride, out.z(first) - begin * stride, stride);
+    (f, begin, end, layers, out.x(0) - begin * stride, out.z(0) - begin * stride, stride);
   }
 
-  [[nodiscard]] CpuHealth rows(int begin, int end) const {
+  /// All faces of rows [begin, end) but the z-faces that another task's cells act on too; those wait in the seams.
+  [[nodiscard]] CpuHealth rows(int task, int begin, int end, Seams& seams) const {
     CpuHealth health;
     thread_local std::vector<float> memory;
-    const IncrementRows own(memory, f.speedX.stride(), end - begin + 1);  // row 0: the one below `begin`
-    const int below = begin > 0 ? begin - 1 : f.grid.periodicZ() ? f.height() - 1 : -1;
-    if (below >= 0) increments(below, below + 1, own, 0);
-    increments(begin, end, own, 1);
-    for (int k = begin; k < end; ++k) {
-      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, k, own.x(k - begin + 1), f.forced.u.row(k), health);
-      const int low = k == begin && below < 0 ? 1 : k - begin;
-      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(k - begin + 1), f.forced.w.row(k), health);
+    const int count = end - begin;
+    const IncrementRows own(memory, f.speedX.stride(), count);
+    increments(begin, end, own);
+    const auto faceZ = [&](int k, int low, int high) {
+      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, own.z(low), own.z(high), f.forced.w.row(k), health);
+    };
+    if (begin == 0 && !f.grid.periodicZ()) faceZ(0, 0, 0);
+    for (int n = 0; n < count; ++n) {
+      HWY_DYNAMIC_DISPATCH(addToFacesX)(f, begin + n, own.x(n), f.forced.u.row(begin + n), health);
+      if (n > 0) faceZ(begin + n, n - 1, n);
     }
-    if (end == f.height())
-      HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, end, own.z(end - begin), own.z(end - begin), f.forced.w.row(end), health);
+    if (end == f.height() && !f.grid.periodicZ()) faceZ(end, count - 1, count - 1);
+    std::copy_n(own.z(0), f.width(), seams.first(task));
+    std::copy_n(own.z(count - 1), f.width(), seams.last(task));
+    return health;
+  }
+
+  /// The z-faces between a task's rows and those below.
+  [[nodiscard]] CpuHealth seam(int task, int tasks, const Seams& seams) const {
+    CpuHealth health;
+    if (task == 0 && !f.grid.periodicZ()) return health;
+    const int k = task * kRowsPerTask, below = task > 0 ? task - 1 : tasks - 1;
+    HWY_DYNAMIC_DISPATCH(addToFacesZ)(f, k, seams.last(below), seams.first(task), f.forced.w.row(k), health);
     return health;
   }
 };
@@ -251,13 +317,22 @@ struct ForceJob {
 CpuHealth applyForces(CpuFields& f, ThreadPool& pool, std::span<const ArrowForce> arrows, const ArrowTiles& tiles,
                       double time) {
   static_assert(WIND_TILE % kRowsPerTask == 0, "a task's rows lie in one row of tiles");
-  const ForceJob job{f, arrows, tiles, gustLayersAt(f.ambientSettings, time)};
-  std::vector<CpuHealth> tasks(static_cast<std::size_t>(tasksFor(f.height())));
-  forRows(pool, f.width(), f.height(),
-          [&](int task, int begin, int end) { tasks[static_cast<std::size_t>(task)] = job.rows(begin, end); });
-  if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
+  thread_local std::vector<PreparedArrow> prepared;
+  prepared.clear();
+  for (const ArrowForce& arrow : arrows) prepared.emplace_back(arrow);
+  const ForceJob job{f, prepared, tiles, gustLayersAt(f.ambientSettings, time)};
+  const int tasks = tasksFor(f.height());
+  Seams seams(f.speedX.stride(), tasks);
+  std::vector<CpuHealth> found(static_cast<std::size_t>(tasks));
+  forRows(pool, f.width(), f.height(), [&](int task, int begin, int end) {
+    found[static_cast<std::size_t>(task)] = job.rows(task, begin, end, seams);
+  });
   CpuHealth health;
-  for (const CpuHealth& task : tasks) health.add(task);
+  for (int task = 0; task < tasks; ++task) {
+    health.add(job.seam(task, tasks, seams));
+    health.add(found[static_cast<std::size_t>(task)]);
+  }
+  if (f.grid.periodicZ()) std::copy_n(f.forced.w.row(0), f.width(), f.forced.w.row(f.height()));
   return health;
 }
 

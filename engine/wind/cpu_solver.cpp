@@ -48,14 +48,9 @@ CpuFields makeFields(const WindSetup& setup) {
 
 void takeGustTable(CpuFields& f, const std::vector<glm::vec2>& table) {
   constexpr std::size_t kSide = WIND_GUST_TABLE;
-  f.gustAlong.clear();
-  f.gustAcross.clear();
+  f.gustTable.clear();
   for (std::size_t k = 0; k <= kSide; ++k) {
-    for (std::size_t i = 0; i <= kSide; ++i) {
-      const glm::vec2 value = table[(k % kSide) * kSide + i % kSide];
-      f.gustAlong.push_back(value.x);
-      f.gustAcross.push_back(value.y);
-    }
+    for (std::size_t i = 0; i <= kSide; ++i) f.gustTable.push_back(table[(k % kSide) * kSide + i % kSide]);
   }
 }
 
@@ -94,7 +89,7 @@ std::size_t CpuWindSolver::memoryBytes() const {
 
 void CpuWindSolver::applySettings(const WindSetup& setup) {
   CpuFields& f = m_fields;
-  if (f.gustAlong.empty() || f.solver.seed != setup.solver.seed) takeGustTable(f, makeGustTable(setup.solver.seed));
+  if (f.gustTable.empty() || f.solver.seed != setup.solver.seed) takeGustTable(f, makeGustTable(setup.solver.seed));
   f.solver = setup.solver;
   f.ambientSettings = setup.ambient;
   f.noSlip = setup.noSlip;

@@ -24,5 +24,24 @@ TEST(WindAdvection, NeverOvershootsWhatItCarries) {
   }
 }
 
+TEST(WindAdvection, AirThatAnObstacleStopsAtTheInflowMovesAsOne) {
+  WindSetup setup = bareSetup({120, 120}, 0.2f, Border::Wall, 1.0f / 60);
+  setup.field.xMin = setup.field.xMax = Border::Open;
+  setup.ambient.speed = 5;
+  setup.ambient.gustStrength = 0.2f;
+  Obstacle box;  // a pocket of 6 m between the wall and the inflow
+  box.shape = ObstacleShape::Box;
+  box.centre = {11, 21};
+  box.size = {6, 6.2f};
+  setup.obstacles = {box};
+  CpuWindSolver solver(setup, 1);
+  run(solver, 900);
+  const CpuPlane& u = solver.fields().velocity.u;
+  int turns = 0;
+  for (int k = 1; k < 120; ++k) turns += (u.at(0, k) > 0) != (u.at(0, k - 1) > 0) ? 1 : 0;
+  EXPECT_LE(turns, 3);
+  EXPECT_NEAR(u.at(0, 20), 5, 1.5f) << "in front of no obstacle the ambient wind comes in";
+}
+
 }  // namespace
 }  // namespace windloom::testing

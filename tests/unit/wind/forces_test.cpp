@@ -122,6 +122,29 @@ TEST(WindForces, TilesNameEveryArrowThatReachesACell) {
   EXPECT_LT(tiles.indices.size(), arrows.size() * static_cast<std::size_t>(tiles.columns * tiles.rows) / 2);
 }
 
+TEST(WindForces, TilesFollowArrowsAndFieldsThatMove) {
+  WindSetup setup = meadow(150);
+  std::vector<ArrowForce> arrows = {arrow({-20, 3}, {10, 9}, 5, 4), arrow({0, -30}, {0, 30}, 5, 2)};
+  ArrowTiles tiles;
+  const auto expectFresh = [&] {
+    const WindGrid grid = makeWindGrid(setup.field, {});
+    ArrowTiles fresh;
+    binArrows(grid, arrows, tiles);
+    binArrows(grid, arrows, fresh);
+    EXPECT_EQ(tiles.start, fresh.start);
+    EXPECT_EQ(tiles.indices, fresh.indices);
+  };
+  expectFresh();
+  arrows[1].to = {25, 30};
+  expectFresh();
+  arrows[0].radius = 9;
+  expectFresh();
+  setup.field.centre = {12, 0};
+  expectFresh();
+  arrows.pop_back();
+  expectFresh();
+}
+
 TEST(WindForces, GustsChangeTheAmbientWindByAboutTheirStrength) {
   WindSetup setup = meadow(150);
   setup.ambient.speed = 5;
