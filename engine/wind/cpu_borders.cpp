@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shaders/shared/wind_constants.h"
+
 namespace windloom {
 namespace {
 
@@ -57,7 +59,7 @@ float inflowAt(const CpuFields& f, Side side, int n) {
   const float inward = side.high ? -1.0f : 1.0f, wanted = inward * (side.acrossX ? f.ambient.x : f.ambient.y);
   float sum = 0;
   int faces = 0;
-  for (int m = n - kInflowReach; m <= n + kInflowReach; ++m) {
+  for (int m = n - WIND_INFLOW_REACH; m <= n + WIND_INFLOW_REACH; ++m) {
     const int face = periodic ? (m % count + count) % count : m;
     if (face < 0 || face >= count) continue;
     if (side.acrossX ? g.blockedX(line, face) : g.blockedZ(face, line)) continue;

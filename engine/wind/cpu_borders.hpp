@@ -5,10 +5,6 @@
 
 namespace windloom {
 
-/// Faces of an open border on each side of one that say how much of the ambient wind enters there. In a pocket behind
-/// an obstacle at the inflow 4, 8 and 24 all kept neighbouring faces from moving against each other.
-inline constexpr int kInflowReach = 8;
-
 enum class OpenGhost {
   Ambient,  ///< behind an open border blows the ambient wind
   Copy,     ///< as the entry inside

@@ -10,6 +10,7 @@ namespace {
 // clang-format off
 constexpr gpu::ProgramSpec kPrograms[] = {
     {"wind/fill", {"wind/fill.comp"}},
+    {"wind/inflow", {"wind/inflow.comp"}},
     {"wind/arrows", {"wind/arrows.comp"}},
     {"wind/forces", {"wind/forces.comp"}},
     {"wind/predict", {"wind/predict.comp"}},

@@ -29,6 +29,7 @@ Result<GpuTransport> GpuTransport::create(gpu::ShaderLibrary& shaders) {
   GpuTransport transport;
   const std::pair<const gpu::Program**, const char*> wanted[] = {
       {&transport.m_fill, "wind/fill"},
+      {&transport.m_inflow, "wind/inflow"},
       {&transport.m_arrows, "wind/arrows"},
       {&transport.m_forces, "wind/forces"},
       {&transport.m_predict, "wind/predict"},
@@ -53,11 +54,23 @@ void GpuTransport::fill(const GpuFields& fields) const {
   fields.carried.bindStorage(WIND_SSBO_CARRIED);
   fields.velocity.bindStorage(WIND_SSBO_RESULT);
   m_fill->dispatchOver(facesOf(fields));
-  afterLastPass();  // for whoever reads the velocity next
+  afterLastPass();
+  findInflow(fields);
+}
+
+void GpuTransport::findInflow(const GpuFields& fields) const {
+  const WindGrid& g = fields.grid;
+  const glm::vec2 a = fields.block.ambient;
+  const bool enters = (g.xMin == Border::Open && a.x > 0) || (g.xMax == Border::Open && a.x < 0) ||
+                      (g.zMin == Border::Open && a.y > 0) || (g.zMax == Border::Open && a.y < 0);
+  if (!enters) return;
+  fields.velocity.bindStorage(WIND_SSBO_VELOCITY);
+  m_inflow->dispatchOver({std::max(g.width, g.height) + 2, 4});
+  afterLastPass();
 }
 
 void GpuTransport::force(const GpuFields& fields, const GpuArrows& arrows) const {
-  // No barrier: the velocity was waited for before the last step's report, which may still run.
+  // No barrier: the velocity was waited for after the last step, whose report may still run.
   arrows.bind();
   fields.velocity.bindStorage(WIND_SSBO_VELOCITY);
   fields.first.bindStorage(WIND_SSBO_ARROW_INCREMENTS);  // free until the advection

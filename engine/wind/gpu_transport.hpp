@@ -18,6 +18,9 @@ class GpuTransport {
   /// Forces and advection of a step; the answer is the buffer that holds q*.
   const gpu::Buffer& run(const GpuFields& fields, const GpuArrows& arrows, gpu::GpuTimer& timer) const;
 
+  /// The ghosts of `velocity` where the ambient wind enters; after everything that writes it, with a barrier between.
+  void findInflow(const GpuFields& fields) const;
+
   /// `velocity` from raw faces in `carried`: blocked faces 0, ghosts set.
   void fill(const GpuFields& fields) const;
 
@@ -26,7 +29,7 @@ class GpuTransport {
   void advect(const GpuFields& fields, const gpu::Buffer& carried) const;
   const gpu::Buffer& diffuse(const GpuFields& fields) const;
 
-  const gpu::Program *m_fill = nullptr, *m_arrows = nullptr, *m_forces = nullptr;
+  const gpu::Program *m_fill = nullptr, *m_inflow = nullptr, *m_arrows = nullptr, *m_forces = nullptr;
   const gpu::Program *m_predict = nullptr, *m_predictSettle = nullptr, *m_correct = nullptr, *m_correctSettle = nullptr;
   const gpu::Program *m_viscosityStart = nullptr, *m_viscosity = nullptr, *m_viscositySettle = nullptr;
 };

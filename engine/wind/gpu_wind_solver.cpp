@@ -134,6 +134,7 @@ void GpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
                    m_cycles.plan(step, m_fields.solver.maxCycles));
   m_timer.stage("projection");
   m_pressure.project(m_fields, star, m_fields.velocity);
+  m_transport.findInflow(m_fields);
   if (timed) m_timer.endFrame();
   m_step = step;
   m_ring.request(m_fields.control, 0, kReportBytes, step);

@@ -10,6 +10,9 @@
 #define WIND_CONFINEMENT_LIMIT 0.2f  // largest increment of confinement a step, part of the local speed
 #define WIND_CONFINEMENT_GAIN 0.1f   // 1/s: how fast confinement may make air faster at most
 #define WIND_CONFINEMENT_SOFTNESS 0.25f  // gradients of vorticity below this part of it per cell have little direction
+// Faces of an open border on each side of one that say how much of the ambient wind enters there. In a pocket behind an
+// obstacle at the inflow 4, 8 and 24 all kept neighbouring faces from moving against each other.
+#define WIND_INFLOW_REACH 8
 #define WIND_ROUNDING_FLOOR 2e-7f    // residual that single precision can't see past, part of RMS speed times cell size
 #define WIND_VISCOSITY_SWEEPS 64     // most Chebyshev sweeps of the implicit viscosity
 

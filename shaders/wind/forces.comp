@@ -10,6 +10,7 @@ layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Velocity { float ve
 layout(std430, binding = WIND_SSBO_CARRIED) writeonly buffer Carried { float carried[]; };
 layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
 
+#define WIND_GHOSTS_OF_VELOCITY
 #define GHOST_TARGET carried
 #include "shaders/wind/ghosts.glsl"
 #include "shaders/wind/health.glsl"

@@ -7,12 +7,15 @@ const int kAcross = 0;
 const int kAlong = 1;
 
 // A ghost made of the entry inside, or for a periodic border of the entry of the other side. With WIND_COPY_OPEN an
-// open border copies too (viscosity).
-float ghostOf(int border, int component, float inside, float ambient, float wallSpeed) {
+// open border copies too (viscosity); with WIND_GHOSTS_OF_VELOCITY what comes in across it is what the ghosts of the
+// array `velocity` say.
+float ghostOf(int border, int component, int at, float inside, float ambient, float wallSpeed) {
   if (border == WIND_BORDER_PERIODIC) return inside;
   if (border == WIND_BORDER_WALL) return component == kAlong && wind.noSlip != 0 ? 2.0 * wallSpeed - inside : inside;
 #ifdef WIND_COPY_OPEN
   return inside;
+#elif defined(WIND_GHOSTS_OF_VELOCITY)
+  return component == kAcross ? velocity[at] : ambient;
 #else
   return ambient;
 #endif
@@ -28,9 +31,9 @@ ivec2 ghostsFedBy(int n, int count, int period, bool periodic) {
 void storeRows(int base, int column, int k, float value, ivec2 rows, int component, float ambient) {
   int at = base + column + 1;
   GHOST_TARGET[at + (k + 1) * wind.stride] = value;
-  if (rows.x != -2) GHOST_TARGET[at] = ghostOf(wind.zMin, component, value, ambient, wind.wallZMin);
+  if (rows.x != -2) GHOST_TARGET[at] = ghostOf(wind.zMin, component, at, value, ambient, wind.wallZMin);
   int last = at + (rows.y + 1) * wind.stride;
-  if (rows.y != -2) GHOST_TARGET[last] = ghostOf(wind.zMax, component, value, ambient, wind.wallZMax);
+  if (rows.y != -2) GHOST_TARGET[last] = ghostOf(wind.zMax, component, last, value, ambient, wind.wallZMax);
 }
 
 // Whether face (i, k) of either component feeds no ghost.
@@ -45,8 +48,9 @@ void storeU(int i, int k, float value) {
   ivec2 rows = ghostsFedBy(k, wind.height, wind.height, periodicZ());
   float a = wind.ambient.x;
   storeRows(0, i, k, value, rows, kAlong, a);
-  if (columns.x != -2) storeRows(0, -1, k, ghostOf(wind.xMin, kAcross, value, a, 0.0), rows, kAlong, a);
-  if (columns.y != -2) storeRows(0, columns.y, k, ghostOf(wind.xMax, kAcross, value, a, 0.0), rows, kAlong, a);
+  if (columns.x != -2) storeRows(0, -1, k, ghostOf(wind.xMin, kAcross, uAt(-1, k), value, a, 0.0), rows, kAlong, a);
+  if (columns.y == -2) return;
+  storeRows(0, columns.y, k, ghostOf(wind.xMax, kAcross, uAt(columns.y, k), value, a, 0.0), rows, kAlong, a);
 }
 
 void storeW(int i, int k, float value) {
@@ -59,7 +63,7 @@ void storeW(int i, int k, float value) {
   float a = wind.ambient.y;
   int base = wind.zFaces;
   storeRows(base, i, k, value, rows, kAcross, a);
-  if (columns.x != -2) storeRows(base, -1, k, ghostOf(wind.xMin, kAlong, value, a, wind.wallXMin), rows, kAcross, a);
-  float beyond = ghostOf(wind.xMax, kAlong, value, a, wind.wallXMax);
+  if (columns.x != -2) storeRows(base, -1, k, ghostOf(wind.xMin, kAlong, 0, value, a, wind.wallXMin), rows, kAcross, a);
+  float beyond = ghostOf(wind.xMax, kAlong, 0, value, a, wind.wallXMax);
   if (columns.y != -2) storeRows(base, columns.y, k, beyond, rows, kAcross, a);
 }

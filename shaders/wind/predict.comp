@@ -12,6 +12,7 @@ layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control
 #include "shaders/wind/settle.glsl"
 #endif
 
+#define WIND_GHOSTS_OF_VELOCITY
 #define GHOST_TARGET first
 #include "shaders/wind/ghosts.glsl"
 #include "shaders/wind/trace.glsl"
