@@ -124,6 +124,11 @@ struct WindLevel {
   int paddingA, paddingB, paddingC;
 };
 
+// What is known of the steps before: nothing; what to expect; that it led astray, so that the next step knows nothing.
+#define WIND_HISTORY_NONE 0u
+#define WIND_HISTORY_GOOD 1u
+#define WIND_HISTORY_BAD 2u
+
 // What a step tells the CPU, and the work-groups of the passes of the pressure solve: none once it has converged.
 struct WindControl {
   float fluxBefore, fluxStart;    // mean squares over air cells of f0 and b, m^4/s^2
@@ -139,7 +144,7 @@ struct WindControl {
   float crossing;                 // cells a step
   float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
   float size;                     // A p . A p
-  uint history;                   // 0: the last step's pressure is of no use in this one
+  uint history;                   // WIND_HISTORY_*
   uint paddingA, paddingB, paddingC;
   uint groups[WIND_COMMANDS * 4]; // indirect dispatches: x, y, z of each command
 };

@@ -12,7 +12,7 @@ layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control
 
 void main() {
   int i = int(gl_GlobalInvocationID.x), k = int(gl_GlobalInvocationID.y);
-  if (i == 0 && k == 0) control.history = 1u;
+  if (i == 0 && k == 0) control.history = WIND_HISTORY_GOOD;
   if (i >= wind.width || k >= wind.height) return;
   int at = cellAt(i, k);
   float found = control.cycles > 0u ? finiteOr(control.alpha * d[at], 0.0) : 0.0;

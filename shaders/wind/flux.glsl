@@ -11,7 +11,7 @@ layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; }
 // b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2. What the pressure's
 // gradient carries out of a cell is summed from differences, which are exact where it is smooth.
 void loadFlux(const bool plain, inout float sums[SUM_COUNT]) {
-  bool kept = wind.mayDrop == 0 || control.history != 0u;  // a look at it takes long
+  bool kept = wind.mayDrop == 0 || control.history != WIND_HISTORY_NONE;  // a look at it takes long
   locate(plain);
   for (int n = 0; n < WIND_STRIP; ++n) {
     bool there = isThere(plain, n);

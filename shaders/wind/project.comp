@@ -55,7 +55,7 @@ ivec4 neighboursOf(int at, int i, int k) {
 // How the solve's last cycle joins those before, see join.glsl. Read once: many invocations reading the same few words
 // again and again wait for each other.
 struct Solution {
-  bool kept, any, more;
+  bool kept, bad, any, more;
   float alpha, beta;
 };
 Solution solution;
@@ -107,7 +107,8 @@ void projectCell(int i, int k, inout float sums[SUM_COUNT]) {
     q = withoutGradient(q, flags, added, addedAround(beside), addedScale());
   }
   float pressure = finiteOr(expected + addedScale() * added, 0.0);
-  nextPredicted[at] = solution.kept ? 2.0 * pressure - phi[at] : pressure;
+  float next = solution.kept ? 2.0 * pressure - phi[at] : pressure;
+  nextPredicted[at] = solution.bad ? 0.0 : finiteOr(next, 0.0);
   phi[at] = pressure;
   storeU(i, k, q.x);
   storeW(i, k, q.z);
@@ -127,7 +128,8 @@ void projectCell(int i, int k, inout float sums[SUM_COUNT]) {
 void main() {
   int i = int(gl_GlobalInvocationID.x);
   int first = int(gl_WorkGroupID.y) * WIND_GROUP_Z * WIND_PROJECT_STRIP + int(gl_LocalInvocationID.y);
-  solution = Solution(control.history != 0u, control.cycles > 0u, control.cycles > 1u, control.alpha, control.beta);
+  uint history = control.history;
+  solution = Solution(history != WIND_HISTORY_NONE, history == WIND_HISTORY_BAD, control.cycles > 0u, control.cycles > 1u, control.alpha, control.beta);
   float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0, 0.0);  // flux^2, |v|^2; greatest flux, |v|^2, crossing
   for (int n = 0; n < WIND_PROJECT_STRIP; ++n) {
     int k = first + n * WIND_GROUP_Z;

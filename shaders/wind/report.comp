@@ -20,5 +20,5 @@ void main() {
   control.maxFluxAfter = total[2];
   control.maxSpeedSquare = total[3];
   control.crossing = total[4];
-  control.history = 1u;
+  control.history = control.history == WIND_HISTORY_BAD ? WIND_HISTORY_NONE : WIND_HISTORY_GOOD;
 }

@@ -6,7 +6,8 @@
 #include "shaders/wind/total.glsl"
 #include "shaders/wind/solve_control.glsl"
 
-// Where the expected pressure makes the flux larger it is dropped, and the flux pass runs a second time without it.
+// Where the expected pressure makes the flux larger it is dropped, and the flux pass runs a second time without it; where
+// no second one was recorded, nothing is expected of the next step.
 void startSolve() {
   float total[SUM_COUNT];
   addUp(total);
@@ -19,7 +20,7 @@ void startSolve() {
   control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
   control.cycles = 0u;
   control.converged = 0u;
-  bool useless = wind.mayDrop != 0 && control.history != 0u && !(control.fluxStart <= control.fluxBefore);
-  if (useless) control.history = 0u;
-  setDispatches(true, useless);
+  bool useless = control.history != WIND_HISTORY_NONE && !(control.fluxStart <= control.fluxBefore), again = useless && wind.mayDrop != 0;
+  if (useless) control.history = again ? WIND_HISTORY_NONE : WIND_HISTORY_BAD;
+  setDispatches(true, again);
 }
