@@ -15,7 +15,7 @@ namespace windloom::cli {
 namespace {
 
 struct Options : CommonOptions {
-  std::string file, out, initial, resolution;
+  std::string file, out, initial, resolution, solver;
   std::string preset = "generic";
   std::vector<std::string> formats;
   double from = 0;
@@ -128,8 +128,9 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
 
 int runBake(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  const Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file);
   if (!project) return reportError(project.error(), options);
+  if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
   const Result<BakeRequest> request = requestOf(options, *project);
   if (!request) return reportError(request.error(), options);
   const Result<WindContext> wind = openWindContext(options.backend, *project);
@@ -197,6 +198,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
       ->check(CLI::Range(1e-3, 1e4));
+  addSolverOption(app, options->solver);
   app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

@@ -15,7 +15,7 @@ namespace windloom::cli {
 namespace {
 
 struct Options : CommonOptions {
-  std::string file, initial;
+  std::string file, initial, solver;
   std::vector<std::string> at;
   double time = 0;
   int threads = 0;
@@ -69,18 +69,6 @@ double directionOf(glm::vec2 velocity) {
   return degrees < 0 ? degrees + 360.0 : degrees;
 }
 
-Json diagnosticsJson(const WindDiagnostics& d) {
-  return {{"divergenceBefore", d.divergenceBefore},
-          {"divergenceAfter", d.divergenceAfter},
-          {"maxDivergenceAfter", d.maxDivergenceAfter},
-          {"kineticEnergy", d.kineticEnergy},
-          {"maxSpeed", d.maxSpeed},
-          {"cfl", d.cfl},
-          {"cycles", d.cycles},
-          {"nonFiniteCells", d.nonFiniteCells},
-          {"stepMs", d.stepMs}};
-}
-
 void printSampleJson(const Options& options, Simulation& simulation, const std::vector<Place>& places) {
   Json samples = Json::array();
   for (const Place& place : places) {
@@ -117,8 +105,9 @@ void printSampleTable(Simulation& simulation, const std::vector<Place>& places) 
 }
 
 int sample(const Options& options) {
-  const Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file);
   if (!project) return reportError(project.error(), options);
+  if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
   const Result<std::vector<Place>> places = placesOf(options, *project);
   if (!places) return reportError(places.error(), options);
   const Result<WindContext> wind = openWindContext(options.backend, *project);
@@ -162,6 +151,7 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->required();
   app.add_option("--initial", options->initial, "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
       ->type_name("FILE.npy");
+  addSolverOption(app, options->solver);
   app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));
