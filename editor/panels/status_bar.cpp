@@ -23,6 +23,11 @@ std::string grouped(long long number) {
   return text;
 }
 
+/// Small parts with more digits: a good residual is some hundredths of a percent.
+std::string percent(double part) {
+  return fixed(part * 100, part < 0.01 ? 3 : 1) + "%";
+}
+
 std::string millions(long long blades) {
   if (blades < 100'000) return grouped(blades);
   return fixed(double(blades) / 1e6, 2) + " M";
@@ -53,7 +58,7 @@ std::vector<Item> machineItems(const PanelContext& context) {
                          fixed(status.wind.cfl, 1) + " cells a step. The Solver tab at the bottom tells more."});
     if (status.wind.divergenceBefore > 0)
       items.push_back({"residual",
-                       "residual " + fixed(status.wind.divergenceAfter / status.wind.divergenceBefore * 100, 3) + "%",
+                       "residual " + percent(status.wind.divergenceAfter / status.wind.divergenceBefore),
                        "Part of the divergence that the last step's pressure solve left"});
     if (status.wind.nonFiniteCells > 0)
       items.push_back({"broken", std::to_string(status.wind.nonFiniteCells) + " cells reset",

@@ -17,7 +17,7 @@ namespace {
 struct Options : CommonOptions {
   std::string file, initial, solver;
   std::vector<std::string> at;
-  double time = 0;
+  double time = 0, initialTime = 0;
   int threads = 0;
 };
 
@@ -108,6 +108,9 @@ int sample(const Options& options) {
   Result<Project> project = loadWithWarnings(options.file);
   if (!project) return reportError(project.error(), options);
   if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
+  if (options.time < options.initialTime) {
+    return reportError(makeError(ErrorKind::Usage, "--time lies before --initial-time"), options);
+  }
   const Result<std::vector<Place>> places = placesOf(options, *project);
   if (!places) return reportError(places.error(), options);
   const Result<WindContext> wind = openWindContext(options.backend, *project);
@@ -116,7 +119,7 @@ int sample(const Options& options) {
   if (!made) return reportError(made.error(), options);
   Simulation& simulation = **made;
   if (!options.initial.empty()) {
-    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded)
+    if (const Status loaded = loadInitialField(simulation, options.initial, options.initialTime); !loaded)
       return reportError(loaded.error(), options);
   }
   noteInterrupts();
@@ -149,8 +152,14 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->type_name("T")
       ->check(CLI::Range(0.0, 1e6))
       ->required();
-  app.add_option("--initial", options->initial, "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
-      ->type_name("FILE.npy");
+  auto* initial =
+      app.add_option("--initial", options->initial, "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
+          ->type_name("FILE.npy");
+  app.add_option("--initial-time", options->initialTime,
+                 "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(initial);
   addSolverOption(app, options->solver);
   app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
       ->type_name("N")
