@@ -3,6 +3,7 @@
 #include <string>
 
 #include "editor/app/app.hpp"
+#include "engine/session/solver_scheme.hpp"
 
 namespace windloom::editor {
 
@@ -57,6 +58,7 @@ void App::registerActions() {
        .run =
            [this] { m_live->setLiveGrid(m_live->liveGrid() == LiveGrid::Full ? LiveGrid::Automatic : LiveGrid::Full); },
        .checked = [this] { return m_live->liveGrid() == LiveGrid::Full; }});
+  registerSolverActions();
   registerViewActions();
   actions.add({.id = "help.keys",
                .label = "Keys and mouse",
@@ -74,6 +76,26 @@ void App::registerActions() {
   actions.add({.id = "help.about", .label = "About Windloom", .category = "Help", .help = "", .run = [this] {
                  m_aboutOpen = true;
                }});
+}
+
+/// One for each preset: its settings on the project, undone like any other edit.
+void App::registerSolverActions() {
+  for (const SolverPreset& preset : solverPresets()) {
+    m_workspace.actions.add(
+        {.id = "solver." + std::string(preset.name),
+         .label = "Solver preset: " + std::string(preset.name),
+         .category = "Play",
+         .help = std::string(preset.help),
+         .run =
+             [this, &preset] {
+               const SolverSettings& now = *m_workspace.document.committed().solver;
+               Edit edit;
+               edit.label = "Solver preset " + std::string(preset.name);
+               if (!hasScheme(now, preset)) edit.steps.push_back(Set<SolverSettings>{withScheme(now, preset)});
+               m_workspace.apply(edit);
+             },
+         .checked = [this, &preset] { return hasScheme(*m_workspace.document.project().solver, preset); }});
+  }
 }
 
 void App::registerViewActions() {

@@ -6,6 +6,7 @@
 #include "editor/app/menus.hpp"
 #include "editor/panels/help_window.hpp"
 #include "editor/panels/history_panel.hpp"
+#include "editor/panels/solver_panel.hpp"
 #include "editor/panels/timeline_panel.hpp"
 #include "editor/widgets/splitter.hpp"
 
@@ -132,6 +133,10 @@ void App::drawBottom(PanelContext& context, ImVec2 min, ImVec2 max) {
     };
     if (tab("Probes", "Probes")) {
       m_probes.draw(context);
+      ImGui::EndTabItem();
+    }
+    if (tab("Solver", "Solver")) {
+      drawSolverPanel(context);
       ImGui::EndTabItem();
     }
     const std::string log = m_log.unread() > 0 ? "Log (" + std::to_string(m_log.unread()) + ")###log" : "Log###log";

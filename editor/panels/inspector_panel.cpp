@@ -7,6 +7,7 @@
 #include "editor/core/object_kind.hpp"
 #include "editor/widgets/look.hpp"
 #include "editor/widgets/parameter_row.hpp"
+#include "engine/wind/solver_presets.hpp"
 
 namespace windloom::editor {
 
@@ -97,7 +98,27 @@ void drawSelection(PanelContext& context) {
   }
 }
 
+/// Named sets of solver settings; the action table has one action each.
+void drawSolverPresets(PanelContext& context) {
+  ActionTable& actions = context.workspace.actions;
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextDisabled("Preset");
+  for (const SolverPreset& preset : solverPresets()) {
+    const std::string action = "solver." + std::string(preset.name);
+    const bool on = actions.checked(action);
+    ImGui::SameLine(0, scaled(6));
+    if (on) ImGui::PushStyleColor(ImGuiCol_Button, look().palette.accentDim);
+    const bool pressed = ImGui::Button(std::string(preset.name).c_str());
+    if (on) ImGui::PopStyleColor();
+    markItem("inspector/solver/preset/" + std::string(preset.name));
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(preset.help).c_str());
+    if (pressed) actions.run(action);
+  }
+  ImGui::Separator();
+}
+
 void drawSettings(PanelContext& context, InspectorKind kind) {
+  if (kind == InspectorKind::Solver) drawSolverPresets(context);
   drawSection(context, inspect(context.project(), {kind, {}}));
 }
 

@@ -23,6 +23,11 @@ std::string grouped(long long number) {
   return text;
 }
 
+/// Small parts with more digits: a good residual is some hundredths of a percent.
+std::string percent(double part) {
+  return fixed(part * 100, part < 0.01 ? 3 : 1) + "%";
+}
+
 std::string millions(long long blades) {
   if (blades < 100'000) return grouped(blades);
   return fixed(double(blades) / 1e6, 2) + " M";
@@ -48,14 +53,16 @@ std::vector<Item> machineItems(const PanelContext& context) {
                      coarse
                          ? "The live view runs on a coarser grid to hold real time; sample and bake use the project's."
                          : "The wind runs on the project's grid."});
-    items.push_back(
-        {"solver", std::string("solver ") + fixed(status.stepMs, 1) + " ms",
-         std::string("Time of a solver step. Divergence left: ") +
-             fixed(status.wind.divergenceBefore > 0 ? status.wind.divergenceAfter / status.wind.divergenceBefore * 100
-                                                    : 0.0,
-                   2) +
-             "%, fastest air " + fixed(status.wind.maxSpeed, 1) + " m/s, " + fixed(status.wind.cfl, 1) +
-             " cells a step"});
+    items.push_back({"solver", std::string("solver ") + fixed(status.stepMs, 1) + " ms",
+                     std::string("Time of a solver step; fastest air ") + fixed(status.wind.maxSpeed, 1) + " m/s, " +
+                         fixed(status.wind.cfl, 1) + " cells a step. The Solver tab at the bottom tells more."});
+    if (status.wind.divergenceBefore > 0)
+      items.push_back({"residual",
+                       "residual " + percent(status.wind.divergenceAfter / status.wind.divergenceBefore),
+                       "Part of the divergence that the last step's pressure solve left"});
+    if (status.wind.nonFiniteCells > 0)
+      items.push_back({"broken", std::to_string(status.wind.nonFiniteCells) + " cells reset",
+                       "Cells that were not finite and were set back since the wind started"});
     std::string passes = std::string("Drawing the scene: ") + fixed(status.frame.gpuMs, 1) + " ms";
     for (const auto& [name, milliseconds] : status.frame.passMs)
       passes += std::string("\n") + name + " " + fixed(milliseconds, 1) + " ms";

@@ -254,7 +254,7 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
   return baker.report();
 }
 
-Status loadInitialField(Simulation& simulation, const fs::path& path) {
+Status loadInitialField(Simulation& simulation, const fs::path& path, double time) {
   Result<NpyArray> array = readNpy(path);
   if (!array) return array.error();
   const std::vector<std::size_t>& shape = array->shape;
@@ -269,7 +269,8 @@ Status loadInitialField(Simulation& simulation, const fs::path& path) {
   std::vector<glm::vec2> field(cells);
   const float* last = array->values.data() + array->values.size() - 2 * cells;
   for (std::size_t i = 0; i < cells; ++i) field[i] = {last[2 * i], last[2 * i + 1]};
-  if (Status set = simulation.setInitialField(resolution, field); !set) {
+  const long step = std::lround(time / static_cast<double>(simulation.project().field->timeStep));
+  if (Status set = simulation.setInitialField(resolution, field, step); !set) {
     Error error = set.error();
     for (Problem& problem : error.problems) problem.file = path.string();
     return error;

@@ -50,8 +50,8 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
                         const std::function<bool(const BakeProgress&)>& keepGoing);
 
 /// Starts a simulation from a .npy file of float32 [height, width, 2] in m/s, rows z ascending, of the project's
-/// resolution; of an array [frames, height, width, 2] (a bake) the last frame is taken, which continues it. Fails with
-/// BadInput.
-Status loadInitialField(Simulation& simulation, const std::filesystem::path& path);
+/// resolution; of an array [frames, height, width, 2] (a bake) the last frame is taken, which continues it. The field
+/// is that of `time` s, rounded to whole time steps. Fails with BadInput.
+Status loadInitialField(Simulation& simulation, const std::filesystem::path& path, double time = 0);
 
 }  // namespace windloom

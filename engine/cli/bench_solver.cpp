@@ -56,6 +56,7 @@ void describe(BenchRow& row, WindSolver& solver, int arrows, const Residuals& re
   row["not finite"] = d.nonFiniteCells;
   row["stages"] = Json::object();
   for (const auto& [stage, ms] : d.stageMs) row["stages"][stage] = ms;
+  row["last step"] = diagnosticsJson(d);
 }
 
 Result<BenchRow> cpuStep(const BenchSetup& setup, int cells, int arrows, double sweepMs) {

@@ -15,11 +15,11 @@ namespace windloom::cli {
 namespace {
 
 struct Options : CommonOptions {
-  std::string file, out, initial, resolution;
+  std::string file, out, initial, resolution, solver;
   std::string preset = "generic";
   std::vector<std::string> formats;
-  double from = 0;
-  std::optional<double> seconds, fps, speedRange;
+  double initialTime = 0;
+  std::optional<double> from, seconds, fps, speedRange;
   std::optional<long> steps;
   bool loop = false;
   int threads = 0;
@@ -48,7 +48,10 @@ std::optional<glm::ivec2> parseResolution(const std::string& text) {
 /// Which frames: --steps alone gives the one field that many steps after --from; with --fps all frames up to there.
 Result<RecordPlan> planOf(const Options& options, const Project& project) {
   RecordPlan plan;
-  plan.from = options.from;
+  plan.from = options.from.value_or(options.initialTime);
+  if (plan.from < options.initialTime) {
+    return makeError(ErrorKind::Usage, "--from lies before --initial-time");
+  }
   plan.fps = options.fps.value_or(kDefaultFps);
   double frames = 1;
   if (options.steps) {
@@ -128,8 +131,9 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
 
 int runBake(const Options& options) {
   const auto start = std::chrono::steady_clock::now();
-  const Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file);
   if (!project) return reportError(project.error(), options);
+  if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
   const Result<BakeRequest> request = requestOf(options, *project);
   if (!request) return reportError(request.error(), options);
   const Result<WindContext> wind = openWindContext(options.backend, *project);
@@ -138,7 +142,7 @@ int runBake(const Options& options) {
   if (!made) return reportError(made.error(), options);
   Simulation& simulation = **made;
   if (!options.initial.empty()) {
-    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded)
+    if (const Status loaded = loadInitialField(simulation, options.initial, options.initialTime); !loaded)
       return reportError(loaded.error(), options);
   }
   noteInterrupts();
@@ -174,7 +178,9 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
       ->type_name("NAME")
       ->capture_default_str();
-  app.add_option("--from", options->from, "Moment of the first frame, s")->type_name("S")->check(CLI::Range(0.0, 1e6));
+  app.add_option("--from", options->from, "Moment of the first frame, s (default: the start)")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6));
   auto* seconds = app.add_option("--seconds", options->seconds, "Length of the recording, s (default 2)")
                       ->type_name("S")
                       ->check(CLI::Range(1e-6, 1e6));
@@ -190,13 +196,20 @@ VerbAction makeBakeVerb(CLI::App& app) {
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
       ->type_name("WxH");
   app.add_flag("--loop", options->loop, "Blend the end into the start, so that the recording repeats without a jump");
-  app.add_option(
-         "--initial", options->initial,
-         "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier bake's last frame")
-      ->type_name("FILE.npy");
+  auto* initial =
+      app.add_option(
+             "--initial", options->initial,
+             "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier bake's last frame")
+          ->type_name("FILE.npy");
+  app.add_option("--initial-time", options->initialTime,
+                 "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(initial);
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
       ->check(CLI::Range(1e-3, 1e4));
+  addSolverOption(app, options->solver);
   app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

@@ -4,6 +4,7 @@
 
 #include "engine/cli/common.hpp"
 #include "engine/cli/verbs.hpp"
+#include "engine/cli/wind_context.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/model/templates.hpp"
 
@@ -11,7 +12,7 @@ namespace windloom::cli {
 namespace {
 
 struct Options : CommonOptions {
-  std::string file;
+  std::string file, solver;
   std::string templateName{projectTemplates().front().name};
   bool force = false;
   bool list = false;
@@ -50,7 +51,8 @@ int writeNew(const Options& options) {
         makeError(ErrorKind::BadInput, options.file, {}, "exists already; --force writes over it and keeps a .bak"),
         options);
   }
-  const Project project = chosen->make();
+  Project project = chosen->make();
+  if (const Status used = useSolver(project, options.solver); !used) return reportError(used.error(), options);
   if (const Status saved = saveProject(project, options.file); !saved) return reportError(saved.error(), options);
   if (options.json) {
     printJson({{"ok", true}, {"file", options.file}, {"template", chosen->name}});
@@ -67,6 +69,7 @@ VerbAction makeNewVerb(CLI::App& app) {
   app.add_option("file", options->file, "Project file to write, by custom NAME.wind.json");
   app.add_option("-t,--template", options->templateName, "What to start from: " + templateNames())
       ->capture_default_str();
+  addSolverOption(app, options->solver);
   app.add_flag("--force", options->force, "Write over an existing file, which is kept as FILE.bak");
   app.add_flag("--list", options->list, "List the templates and write nothing");
   addCommonOptions(app, *options);

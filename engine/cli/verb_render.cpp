@@ -7,6 +7,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/verbs.hpp"
+#include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/framebuffer.hpp"
@@ -24,7 +25,7 @@ constexpr int kMaxFrames = 100'000;
 constexpr double kSlice = 0.25;   // s of simulated time between looks at Ctrl+C
 
 struct Options : CommonOptions {
-  std::string file, out, camera, grass;
+  std::string file, out, camera, grass, solver;
   std::string size = "1280x720", resolution;
   std::vector<std::string> overlays;
   double time = 0, fps = 30, detail = 1;
@@ -74,6 +75,7 @@ Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
 Result<Project> projectOf(const Options& options) {
   Result<Project> project = loadWithWarnings(options.file);
   if (!project) return project;
+  if (const Status used = useSolver(*project, options.solver); !used) return used.error();
   if (!options.resolution.empty()) {
     const auto cells = parsePair(options.resolution, kMaxCells);
     if (!cells) return usage("--resolution: found '" + options.resolution + "', expected WxH of 8 to 4096 cells");
@@ -217,6 +219,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->type_name("NAME");
   app.add_option("--overlay", options->overlays, "arrows, vectors, speed; none (the default)")->type_name("NAME[,NAME]")->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
+  addSolverOption(app, options->solver);
   app.add_option("--grass", options->grass, "Kind of grass: instanced")->type_name("KIND");
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")->type_name("N")->check(CLI::Range(0.0, 5000.0));
   app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")->type_name("D")->check(CLI::Range(0.02, 1.0));

@@ -15,9 +15,9 @@ namespace windloom::cli {
 namespace {
 
 struct Options : CommonOptions {
-  std::string file, initial;
+  std::string file, initial, solver;
   std::vector<std::string> at;
-  double time = 0;
+  double time = 0, initialTime = 0;
   int threads = 0;
 };
 
@@ -69,18 +69,6 @@ double directionOf(glm::vec2 velocity) {
   return degrees < 0 ? degrees + 360.0 : degrees;
 }
 
-Json diagnosticsJson(const WindDiagnostics& d) {
-  return {{"divergenceBefore", d.divergenceBefore},
-          {"divergenceAfter", d.divergenceAfter},
-          {"maxDivergenceAfter", d.maxDivergenceAfter},
-          {"kineticEnergy", d.kineticEnergy},
-          {"maxSpeed", d.maxSpeed},
-          {"cfl", d.cfl},
-          {"cycles", d.cycles},
-          {"nonFiniteCells", d.nonFiniteCells},
-          {"stepMs", d.stepMs}};
-}
-
 void printSampleJson(const Options& options, Simulation& simulation, const std::vector<Place>& places) {
   Json samples = Json::array();
   for (const Place& place : places) {
@@ -117,8 +105,12 @@ void printSampleTable(Simulation& simulation, const std::vector<Place>& places) 
 }
 
 int sample(const Options& options) {
-  const Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file);
   if (!project) return reportError(project.error(), options);
+  if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
+  if (options.time < options.initialTime) {
+    return reportError(makeError(ErrorKind::Usage, "--time lies before --initial-time"), options);
+  }
   const Result<std::vector<Place>> places = placesOf(options, *project);
   if (!places) return reportError(places.error(), options);
   const Result<WindContext> wind = openWindContext(options.backend, *project);
@@ -127,7 +119,7 @@ int sample(const Options& options) {
   if (!made) return reportError(made.error(), options);
   Simulation& simulation = **made;
   if (!options.initial.empty()) {
-    if (const Status loaded = loadInitialField(simulation, options.initial); !loaded)
+    if (const Status loaded = loadInitialField(simulation, options.initial, options.initialTime); !loaded)
       return reportError(loaded.error(), options);
   }
   noteInterrupts();
@@ -160,8 +152,15 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->type_name("T")
       ->check(CLI::Range(0.0, 1e6))
       ->required();
-  app.add_option("--initial", options->initial, "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
-      ->type_name("FILE.npy");
+  auto* initial =
+      app.add_option("--initial", options->initial, "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
+          ->type_name("FILE.npy");
+  app.add_option("--initial-time", options->initialTime,
+                 "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(initial);
+  addSolverOption(app, options->solver);
   app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
       ->type_name("N")
       ->check(CLI::Range(1, 256));

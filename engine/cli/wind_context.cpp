@@ -1,5 +1,7 @@
 #include "engine/cli/wind_context.hpp"
 
+#include "engine/session/solver_scheme.hpp"
+
 namespace windloom::cli {
 
 Result<WindContext> openWindContext(Backend asked, const Project& project) {
@@ -34,6 +36,49 @@ Result<std::unique_ptr<Simulation>> makeSimulation(const Project& project, Backe
 
 const char* backendName(Backend backend) {
   return backend == Backend::Gpu ? "gpu" : "cpu";
+}
+
+namespace {
+
+std::string solverNames() {
+  std::string names;
+  for (const SolverPreset& preset : solverPresets()) names.append(names.empty() ? "" : ", ").append(preset.name);
+  return names;
+}
+
+}  // namespace
+
+void addSolverOption(CLI::App& app, std::string& name) {
+  app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
+      ->type_name("NAME");
+}
+
+Status useSolver(Project& project, const std::string& name) {
+  if (name.empty()) return Done{};
+  for (const SolverPreset& preset : solverPresets()) {
+    if (preset.name != name) continue;
+    project.solver = std::make_shared<SolverSettings>(withScheme(*project.solver, preset));
+    return Done{};
+  }
+  return makeError(ErrorKind::Usage, "--solver: found '" + name + "', expected one of " + solverNames());
+}
+
+Json diagnosticsJson(const WindDiagnostics& d) {
+  Json json = {{"step", d.step},
+               {"divergenceBefore", d.divergenceBefore},
+               {"divergenceAfter", d.divergenceAfter},
+               {"maxDivergenceAfter", d.maxDivergenceAfter},
+               {"residual", d.divergenceBefore > 0 ? d.divergenceAfter / d.divergenceBefore : 0.0},
+               {"kineticEnergy", d.kineticEnergy},
+               {"maxSpeed", d.maxSpeed},
+               {"cfl", d.cfl},
+               {"cycles", d.cycles},
+               {"nonFiniteCells", d.nonFiniteCells},
+               {"stepMs", d.stepMs},
+               {"stageMs", Json::object()}};
+  if (d.nonFiniteCells > 0) json["firstNonFinite"] = {d.firstNonFinite.x, d.firstNonFinite.y};
+  for (const auto& [stage, ms] : d.stageMs) json["stageMs"][stage] = ms;
+  return json;
 }
 
 }  // namespace windloom::cli

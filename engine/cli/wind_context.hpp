@@ -1,8 +1,9 @@
 #pragma once
-// The OpenGL that the verbs run the wind on, where there is one worth it.
+// What the verbs run the wind on and how they tell of it: OpenGL where there is one worth it, solver schemes, diagnostics.
 
 #include <memory>
 
+#include "engine/cli/common.hpp"
 #include "engine/core/result.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/shader_library.hpp"
@@ -28,5 +29,14 @@ Result<std::unique_ptr<Simulation>> makeSimulation(const Project& project, Backe
 
 /// "cpu" or "gpu".
 const char* backendName(Backend backend);
+
+/// Adds --solver NAME, a solver preset by name.
+void addSolverOption(CLI::App& app, std::string& name);
+
+/// Puts the preset of this name on the project; nothing where the name is empty, Usage where it is unknown.
+Status useSolver(Project& project, const std::string& name);
+
+/// All that the solver told of a step; "residual" is the part of the divergence that the projection left.
+Json diagnosticsJson(const WindDiagnostics& diagnostics);
 
 }  // namespace windloom::cli

@@ -23,8 +23,10 @@ glm::ivec2 shrinkResolution(glm::ivec2 resolution, int side) {
   return {shrink(resolution.x), shrink(resolution.y)};
 }
 
-LiveGridControl::LiveGridControl(const FieldSettings& field)
-    : m_field(field), m_resolution(shrinkResolution(field.resolution, kFirstSide)), m_ceiling(longer(field.resolution) + 1) {}
+LiveGridControl::LiveGridControl(const FieldSettings& field, LiveGridStart start)
+    : m_field(field),
+      m_resolution(start == LiveGridStart::Project ? field.resolution : shrinkResolution(field.resolution, kFirstSide)),
+      m_ceiling(longer(field.resolution) + 1) {}
 
 bool LiveGridControl::moveTo(int side) {
   const glm::ivec2 next = shrinkResolution(m_field.resolution, side);

@@ -1,5 +1,5 @@
 #pragma once
-// Which resolution the live wind runs on where the CPU computes it. Pure.
+// Which resolution the live wind runs on, by how long its steps take. Pure.
 
 #include <glm/glm.hpp>
 #include <vector>
@@ -8,13 +8,17 @@
 
 namespace windloom {
 
-/// Picks a grid that holds real time from measured step times. Starts at kFirstSide cells on the longer
-/// side (or the project's grid where that is smaller) and moves in steps of the ladder.
+enum class LiveGridStart {
+  Coarse,   ///< kFirstSide cells on the longer side, or the project's grid where that is smaller
+  Project,  ///< the project's grid, left only once it has been measured as too slow
+};
+
+/// Picks a grid that holds real time from measured step times; moves in steps of the ladder.
 class LiveGridControl {
  public:
   static constexpr int kFirstSide = 256;
 
-  explicit LiveGridControl(const FieldSettings& field);
+  explicit LiveGridControl(const FieldSettings& field, LiveGridStart start = LiveGridStart::Coarse);
 
   [[nodiscard]] glm::ivec2 resolution() const { return m_resolution; }
 

@@ -62,7 +62,6 @@ class SessionImpl final : public Session {
 
  private:
   [[nodiscard]] bool onCpu() { return m_simulation->solver().backend() == Backend::Cpu; }
-  [[nodiscard]] bool coarse() { return onCpu() && m_liveGrid == LiveGrid::Automatic; }
   Status fitGrid();
   void step();
   WindTexture windTexture();
@@ -102,8 +101,9 @@ Status SessionImpl::fitGrid() {
   m_stepMs.clear();
   m_copiedStep = -1;
   m_grid.reset();
-  if (!coarse()) return m_simulation->setResolution(std::nullopt);
-  m_grid.emplace(*m_simulation->project().field);
+  if (m_liveGrid == LiveGrid::Full) return m_simulation->setResolution(std::nullopt);
+  // Most GPUs hold any project's grid; on a CPU a first step of it could stop the window for long.
+  m_grid.emplace(*m_simulation->project().field, onCpu() ? LiveGridStart::Coarse : LiveGridStart::Project);
   return m_simulation->setResolution(m_grid->resolution());
 }
 
@@ -133,8 +133,9 @@ void SessionImpl::step() {
   const auto start = Clock::now();
   m_simulation->step();
   const double wallMs = msSince(start);
-  m_stepMs.add(onCpu() ? wallMs : std::max(wallMs, m_simulation->solver().diagnostics().stepMs));
-  if (!m_grid || !m_grid->stepDone(wallMs)) return;
+  const double stepMs = onCpu() ? wallMs : std::max(wallMs, m_simulation->solver().diagnostics().stepMs);
+  m_stepMs.add(stepMs);
+  if (!m_grid || !m_grid->stepDone(stepMs)) return;
   if (Status set = m_simulation->setResolution(m_grid->resolution()); !set) logError(set.error().text());
   m_stepMs.clear();
   m_copiedStep = -1;

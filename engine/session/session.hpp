@@ -11,7 +11,7 @@ namespace windloom {
 
 enum class LiveGrid {
   Full,       ///< the project's resolution, whatever it costs
-  Automatic,  ///< on the CPU backend a coarser grid that holds real time; shown in the status
+  Automatic,  ///< a coarser grid where the project's is too slow for real time; shown in the status
 };
 
 struct SessionOptions {

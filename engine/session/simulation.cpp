@@ -112,7 +112,7 @@ Status Simulation::setResolution(std::optional<glm::ivec2> resolution) {
   return m_solver->setVelocity(cells);
 }
 
-Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells) {
+Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells, long step) {
   const glm::ivec2 expected = m_solver->grid().resolution;
   if (resolution != expected) {
     return makeError(ErrorKind::BadInput, "the initial field has " + std::to_string(resolution.x) + " x " +
@@ -121,7 +121,8 @@ Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::v
   }
   if (Status set = m_solver->setVelocity(cells); !set) return set;
   m_initial.assign(cells.begin(), cells.end());
-  m_cellsFresh = false;
+  m_initialStep = step;
+  setStep(step);
   return Done{};
 }
 
@@ -137,9 +138,15 @@ void Simulation::restart() {
   if (static_cast<int>(m_initial.size()) == m_solver->grid().resolution.x * m_solver->grid().resolution.y) {
     const Status set = m_solver->setVelocity(m_initial);
     WL_REQUIRE(set.ok(), "an initial field that was taken once is taken again");
+    setStep(m_initialStep);
+    return;
   }
-  m_steps = 0;
-  m_seconds = 0;
+  setStep(0);
+}
+
+void Simulation::setStep(long step) {
+  m_steps = step;
+  m_seconds = static_cast<double>(step) * static_cast<double>(m_project.field->timeStep);
   m_cellsFresh = false;
 }
 

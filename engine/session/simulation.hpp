@@ -36,18 +36,19 @@ class Simulation {
   Status setResolution(std::optional<glm::ivec2> resolution);
 
   /// Starts from a given field instead (see WindSolver::setVelocity), now and after each restart. Refused
-  /// (BadInput) where the resolution isn't the simulation's.
-  Status setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells);
+  /// (BadInput) where the resolution isn't the simulation's. Time goes on from step `step`, so that arrows and gusts
+  /// do, too.
+  Status setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells, long step = 0);
 
   void step();
-  /// Back to time 0: the ambient wind, or the initial field.
+  /// Back to the start: the ambient wind at time 0, or the initial field at its time.
   void restart();
   /// Steps until time() is `seconds` rounded to whole steps; does nothing where that lies behind. `cancelled`
   /// is asked before each step; where it says yes, stops there and returns false.
   bool runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
 
   [[nodiscard]] double time() const { return m_seconds; }  ///< simulated, s
-  [[nodiscard]] long steps() const { return m_steps; }
+  [[nodiscard]] long steps() const { return m_steps; }      ///< time() in time steps
 
   /// Wind at a world position (x, z), m/s, bilinear between cell centres, clamped to the field. Reads the
   /// field back at most once a step.
@@ -63,6 +64,7 @@ class Simulation {
   Simulation() = default;
   Status build(const Project& project);
   void adopt(const Project& project);
+  void setStep(long step);
 
   Project m_project;
   SimulationOptions m_options;
@@ -70,6 +72,7 @@ class Simulation {
   std::unique_ptr<GraphEvaluator> m_graph;
   std::vector<glm::vec2> m_initial;
   std::vector<glm::vec2> m_cells;
+  long m_initialStep = 0;
   bool m_cellsFresh = false;
   long m_steps = 0;
   double m_seconds = 0;

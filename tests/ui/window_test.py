@@ -165,6 +165,33 @@ def check_trouble(app, windloom, folder, project):
     check(app.wait_end() == 0, "not saving must end the editor with 0")
 
 
+def check_solver(app, project):
+    """The last step's numbers in the status bar and in their panel; the paper's scheme by a click, undone by one key."""
+    app.wait("the residual", lambda: app.fact("status.residual").endswith("%"))
+    check(float(app.fact("status.residual")[:-1].split()[1]) < 0.2, f"a step leaves {app.fact('status.residual')}")
+    app.press("notes/tab/Solver")
+    app.wait("the solver's numbers", lambda: app.fact("solver.residual") != "")
+    for name in ("divergence before", "divergence after", "worst cell after", "cycles", "kinetic energy", "fastest air",
+                 "CFL", "step", "  forces", "  advection", "  projection"):
+        check(app.fact(f"solver.{name}") != "", f"the panel doesn't show '{name}'")
+    check(app.fact("solver.cells reset") == "0", "no cell may have been reset")
+    app.press("inspector/tab/Solver")
+    app.press("inspector/solver/preset/cwd-sim")
+    app.wait_fact("steps", "1")
+    app.wait_fact("solver.cycles", "20")
+    app.key("ctrl+s")
+    app.wait_fact("dirty", "no")
+    solver = json.loads(project.read_text())["solver"]
+    check((solver["pressure"], solver["advection"]) == ("jacobi", "semi-lagrangian"), f"cwd-sim saved as {solver}")
+    app.key("ctrl+z")
+    app.wait_fact("steps", "0")
+    app.key("ctrl+s")
+    app.wait_fact("dirty", "no")
+    check(json.loads(project.read_text())["solver"]["pressure"] == "multigrid", "undo must bring the scheme back")
+    app.key("ctrl+q")
+    check(app.wait_end() == 0, "closing a saved project must end the editor with 0")
+
+
 def main():
     windloom_editor, windloom = sys.argv[1:3]
     with tempfile.TemporaryDirectory(prefix="windloom-ui-") as name, display() as environment:
@@ -175,6 +202,8 @@ def main():
             places, pixel_m = draw_and_save(app, project)
         ends = check_graph(project, places, pixel_m)
         check_wind(windloom, project, ends)
+        with editor(windloom_editor, environment, folder, str(project)) as app:
+            check_solver(app, project)
         with editor(windloom_editor, environment, folder, str(project)) as app:
             check_trouble(app, windloom, folder, project)
     print("drawn, typed, undone, redone, saved and sampled; broken and unwritable files refused")

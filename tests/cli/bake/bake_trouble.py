@@ -86,6 +86,30 @@ class BakeTrouble(harness.Case):
         continued = numpy.load(out / "wind.npy")
         numpy.testing.assert_allclose(continued, steps, atol=0.2 * numpy.abs(steps).max())
 
+    def test_a_continued_bake_goes_on_in_time(self):
+        whole = numpy.load(self.bake("--steps", 60, out="whole") / "wind.npy")[0]
+        half = self.bake("--steps", 30, out="half") / "wind.npy"
+        words = ("--steps", 30, "--initial", half)
+        second = self.bake(*words, "--initial-time", 0.5, out="second")
+        manifest = json.loads((second / "manifest.json").read_text())
+        self.assertAlmostEqual(manifest["time"]["start"], 1, delta=1e-6)
+        again = numpy.load(self.bake(*words, out="again") / "wind.npy")[0]
+
+        def error(wind):
+            return numpy.sqrt(((wind - whole) ** 2).mean() / (whole ** 2).mean())
+
+        continued = numpy.load(second / "wind.npy")[0]
+        self.assertLess(error(continued), 0.1)
+        self.assertGreater(error(again), 2 * error(continued), "without its time the arrows begin from the start")
+        sampled = self.call("sample", self.project, "--backend", "cpu", "--json", "--initial", half, "--initial-time", 0.5,
+                            "--time", 1, "--at", "{:.9g},{:.9g}".format(*harness.centre_of(24, 15)))
+        answer = json.loads(sampled.stdout)
+        self.assertEqual(answer["steps"], 60)
+        numpy.testing.assert_allclose(answer["samples"][0]["velocity"], continued[15, 24], atol=1e-4)
+        self.call("bake", self.project, "--out", self.folder / "no", "--format", "npy", "--initial", half,
+                  "--initial-time", 0.5, "--from", 0.2, status=2)
+        self.call("sample", self.project, "--at", "1,1", "--time", 1, "--initial-time", 0.5, status=2)
+
     def test_the_c_library_refuses_a_damaged_pack(self):
         out = self.bake("--seconds", 0.1, formats="windpack")
         pack = out / "wind.windpack"

@@ -24,6 +24,9 @@ class BenchReport(harness.Case):
         self.assertAlmostEqual(step["sweeps"], step["ms"] / solver["one plain Jacobi sweep", None]["ms"], delta=1e-6)
         self.assertLess(step["residual"], 2e-3)
         self.assertEqual(step["not finite"], 0)
+        self.assertEqual(set(step["stages"]), {"forces", "advection", "projection"})
+        for key in ("divergenceBefore", "divergenceAfter", "maxDivergenceAfter", "kineticEnergy", "maxSpeed", "cfl", "cycles"):
+            self.assertGreater(step["last step"][key], 0, key)
         for rows in report["scenes"].values():
             for row in rows:
                 self.assertGreaterEqual(row["runs"], 1)
@@ -40,6 +43,12 @@ class BenchReport(harness.Case):
         self.assertEqual([row["camera"] for row in report["scenes"]["grass"]], ["eye", "over", "top"])
         for row in report["scenes"]["grass"]:
             self.assertGreater(row["drawn"], 0)
+
+    def test_takes_the_sides_of_the_solvers_fields(self):
+        report = json.loads(self.call("bench", "solver", "--quick", "--cells", "32,48", "--backend", "cpu", "--json").stdout)
+        self.assertEqual([row["cells"] for row in report["scenes"]["solver"] if row["scheme"] == "windloom"],
+                         ["32 x 32", "48 x 48"])
+        self.call("bench", "solver", "--cells", "4", status=2)
 
     def test_writes_tables_and_a_file(self):
         file = self.folder / "bench.json"

@@ -45,6 +45,23 @@ class SampledWind(harness.Case):
         self.assertGreater(diagnostics["cfl"], 0)
         self.assertGreater(diagnostics["kineticEnergy"], 0)
         self.assertLess(diagnostics["divergenceAfter"], 2e-3 * diagnostics["divergenceBefore"] + 1e-6)
+        self.assertAlmostEqual(diagnostics["residual"] * diagnostics["divergenceBefore"],
+                               diagnostics["divergenceAfter"], delta=1e-9)
+        self.assertGreaterEqual(diagnostics["maxDivergenceAfter"], diagnostics["divergenceAfter"])
+        self.assertGreater(diagnostics["cycles"], 0)
+        self.assertGreater(diagnostics["stageMs"]["projection"], 0)
+        self.assertLessEqual(sum(diagnostics["stageMs"].values()), 1.01 * diagnostics["stepMs"] + 0.1)
+
+    def test_runs_the_papers_scheme_by_name(self):
+        diagnostics = self.sample("--time", 0.2, "--solver", "cwd-sim")["diagnostics"]
+        self.assertEqual(diagnostics["cycles"], 20)
+        self.assertGreater(diagnostics["residual"], 0.01)
+        self.assertIn("default, cwd-sim",
+                      self.call("sample", self.project, "--time", 1, "--solver", "magic", status=2).stderr)
+        made = self.folder / "new.wind.json"
+        self.call("new", made, "--solver", "cwd-sim")
+        solver = json.loads(made.read_text())["solver"]
+        self.assertEqual((solver["pressure"], solver["advection"], solver["sweeps"]), ("jacobi", "semi-lagrangian", 20))
 
     def test_prints_a_table_for_people(self):
         done = self.call("sample", self.project, "--backend", "cpu", "--at", "-4,-4", "--time", 0.1)

@@ -141,6 +141,20 @@ TEST_F(LiveSession, RunsOnACoarserGridOnTheCpuAndSaysSo) {
   EXPECT_NEAR(session->windAt({-15.0f, 0.0f}).x, 3.0f, 0.5f);
 }
 
+TEST_F(LiveSession, LeavesTheProjectsGridOnAGpuThatIsTooSlowForIt) {
+  const auto session = open(breezeProject({96, 96}), Backend::Gpu);
+  ASSERT_NE(session, nullptr);
+  EXPECT_EQ(session->status().liveResolution, glm::ivec2(96, 96));
+  for (int i = 0; i < 50; ++i) {
+    session->stepOnce();
+    glFinish();
+  }
+  // A software renderer takes longer than real time for any grid.
+  EXPECT_EQ(session->status().liveResolution, context().info().software ? glm::ivec2(64, 64) : glm::ivec2(96, 96));
+  ASSERT_TRUE(session->setLiveGrid(LiveGrid::Full).ok());
+  EXPECT_EQ(session->status().liveResolution, glm::ivec2(96, 96));
+}
+
 TEST_F(LiveSession, ANewFieldTakesEffect) {
   Project project = breezeProject({64, 64});
   const auto session = open(project);

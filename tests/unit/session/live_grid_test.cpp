@@ -46,6 +46,14 @@ TEST(LiveGrid, HoldsRealTimeOnASlowMachine) {
   EXPECT_LT(side, LiveGridControl::kFirstSide);
 }
 
+TEST(LiveGrid, LeavesTheProjectsGridOnlyWhereItIsTooSlow) {
+  LiveGridControl fast(FieldSettings{}, LiveGridStart::Project);
+  EXPECT_EQ(fast.resolution(), FieldSettings{}.resolution);
+  EXPECT_EQ(settle(fast, 2.0), 1000);
+  LiveGridControl slow(FieldSettings{}, LiveGridStart::Project);
+  EXPECT_LT(settle(slow, 40.0), 500);
+}
+
 TEST(LiveGrid, ComesToRest) {
   LiveGridControl grid{FieldSettings{}};
   settle(grid, 60.0);
