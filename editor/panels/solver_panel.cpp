@@ -33,8 +33,10 @@ void windRows(const SessionStatus& status) {
   row("residual",
       wind.divergenceBefore > 0 ? threeDigits(wind.divergenceAfter / wind.divergenceBefore * 100) + "%" : "-",
       "Part of the divergence that the pressure solve left");
-  row("divergence before", threeDigits(wind.divergenceBefore) + " 1/s", "RMS over the air cells, before the projection");
+  row("divergence before", threeDigits(wind.divergenceBefore) + " 1/s",
+      "RMS over the air cells, before the projection");
   row("divergence after", threeDigits(wind.divergenceAfter) + " 1/s", "RMS over the air cells, after the projection");
+  row("worst cell before", threeDigits(wind.maxDivergenceBefore) + " 1/s", "Largest divergence of a cell before it");
   row("worst cell after", threeDigits(wind.maxDivergenceAfter) + " 1/s", "Largest divergence of a cell that was left");
   row("cycles", std::to_string(wind.cycles), "Multigrid cycles, or sweeps of the Jacobi scheme, of the step");
   row("kinetic energy", threeDigits(wind.kineticEnergy) + " m^2/s^2", "Half the mean of the squared speed");
@@ -42,7 +44,8 @@ void windRows(const SessionStatus& status) {
   row("CFL", fixed(wind.cfl, 2) + " cells a step", "How many cells the fastest air crosses in a step");
   std::string broken = std::to_string(wind.nonFiniteCells);
   if (wind.nonFiniteCells > 0)
-    broken += " (first at " + std::to_string(wind.firstNonFinite.x) + ", " + std::to_string(wind.firstNonFinite.y) + ")";
+    broken +=
+        " (first at " + std::to_string(wind.firstNonFinite.x) + ", " + std::to_string(wind.firstNonFinite.y) + ")";
   row("cells reset", broken, "Cells that were not finite and were set back since the wind started");
 }
 

@@ -57,8 +57,7 @@ std::vector<Item> machineItems(const PanelContext& context) {
                      std::string("Time of a solver step; fastest air ") + fixed(status.wind.maxSpeed, 1) + " m/s, " +
                          fixed(status.wind.cfl, 1) + " cells a step. The Solver tab at the bottom tells more."});
     if (status.wind.divergenceBefore > 0)
-      items.push_back({"residual",
-                       "residual " + percent(status.wind.divergenceAfter / status.wind.divergenceBefore),
+      items.push_back({"residual", "residual " + percent(status.wind.divergenceAfter / status.wind.divergenceBefore),
                        "Part of the divergence that the last step's pressure solve left"});
     if (status.wind.nonFiniteCells > 0)
       items.push_back({"broken", std::to_string(status.wind.nonFiniteCells) + " cells reset",

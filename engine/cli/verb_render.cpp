@@ -19,10 +19,10 @@
 namespace windloom::cli {
 namespace {
 
-constexpr int kMaxSide = 16384;   // pixels
-constexpr int kMaxCells = 4096;   // per side, as for a field
+constexpr int kMaxSide = 16384;  // pixels
+constexpr int kMaxCells = 4096;  // per side, as for a field
 constexpr int kMaxFrames = 100'000;
-constexpr double kSlice = 0.25;   // s of simulated time between looks at Ctrl+C
+constexpr double kSlice = 0.25;  // s of simulated time between looks at Ctrl+C
 
 struct Options : CommonOptions {
   std::string file, out, camera, grass, solver;
@@ -44,17 +44,23 @@ std::optional<glm::ivec2> parsePair(const std::string& text, int most) {
   return glm::ivec2(*width, *height);
 }
 
-Error usage(const std::string& message) { return makeError(ErrorKind::Usage, message); }
+Error usage(const std::string& message) {
+  return makeError(ErrorKind::Usage, message);
+}
 
 Result<Overlays> overlaysOf(const Options& options) {
   Overlays overlays;
   overlays.arrows = false;
   for (const std::string& name : options.overlays) {
     if (name == "none") continue;
-    if (name == "arrows") overlays.arrows = true;
-    else if (name == "vectors") overlays.vectors = true;
-    else if (name == "speed") overlays.speed = true;
-    else return usage("--overlay: found '" + name + "', expected arrows, vectors, speed or none");
+    if (name == "arrows")
+      overlays.arrows = true;
+    else if (name == "vectors")
+      overlays.vectors = true;
+    else if (name == "speed")
+      overlays.speed = true;
+    else
+      return usage("--overlay: found '" + name + "', expected arrows, vectors, speed or none");
   }
   return overlays;
 }
@@ -174,7 +180,8 @@ int render(const Options& options) {
     return reportError(usage("--grass: found '" + options.grass + "', expected instanced"), options);
   }
   const auto size = parsePair(options.size, kMaxSide);
-  if (!size) return reportError(usage("--size: found '" + options.size + "', expected WxH of 8 to 16384 pixels"), options);
+  if (!size)
+    return reportError(usage("--size: found '" + options.size + "', expected WxH of 8 to 16384 pixels"), options);
   const Result<Overlays> overlays = overlaysOf(options);
   if (!overlays) return reportError(overlays.error(), options);
   const Result<Project> project = projectOf(options);
@@ -210,19 +217,32 @@ int render(const Options& options) {
 VerbAction makeRenderVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
-  app.add_option("--out", options->out, "Picture to write; several become IMG.0000.png and so on")->type_name("IMG.png")->required();
-  app.add_option("--time", options->time, "Moment of the (first) picture in seconds")->type_name("S")->check(CLI::Range(0.0, 1e6));
+  app.add_option("--out", options->out, "Picture to write; several become IMG.0000.png and so on")
+      ->type_name("IMG.png")
+      ->required();
+  app.add_option("--time", options->time, "Moment of the (first) picture in seconds")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6));
   app.add_option("--frames", options->frames, "How many pictures")->type_name("N")->check(CLI::Range(1, kMaxFrames));
-  app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")->type_name("N")->check(CLI::Range(0.01, 1000.0));
+  app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")
+      ->type_name("N")
+      ->check(CLI::Range(0.01, 1000.0));
   app.add_option("--size", options->size, "Pixels (default 1280x720)")->type_name("WxH");
-  app.add_option("--camera", options->camera, "Camera of the project, or above (default: the first, else one that shows the field)")
+  app.add_option("--camera", options->camera,
+                 "Camera of the project, or above (default: the first, else one that shows the field)")
       ->type_name("NAME");
-  app.add_option("--overlay", options->overlays, "arrows, vectors, speed; none (the default)")->type_name("NAME[,NAME]")->delimiter(',');
+  app.add_option("--overlay", options->overlays, "arrows, vectors, speed; none (the default)")
+      ->type_name("NAME[,NAME]")
+      ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
   app.add_option("--grass", options->grass, "Kind of grass: instanced")->type_name("KIND");
-  app.add_option("--density", options->density, "Blades per square metre instead of the project's")->type_name("N")->check(CLI::Range(0.0, 5000.0));
-  app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")->type_name("D")->check(CLI::Range(0.02, 1.0));
+  app.add_option("--density", options->density, "Blades per square metre instead of the project's")
+      ->type_name("N")
+      ->check(CLI::Range(0.0, 5000.0));
+  app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")
+      ->type_name("D")
+      ->check(CLI::Range(0.02, 1.0));
   addCommonOptions(app, *options);
   app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
   return [options] { return render(*options); };

@@ -152,9 +152,9 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->type_name("T")
       ->check(CLI::Range(0.0, 1e6))
       ->required();
-  auto* initial =
-      app.add_option("--initial", options->initial, "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
-          ->type_name("FILE.npy");
+  auto* initial = app.add_option("--initial", options->initial,
+                                 "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
+                      ->type_name("FILE.npy");
   app.add_option("--initial-time", options->initialTime,
                  "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
       ->type_name("S")

@@ -67,6 +67,7 @@ Json diagnosticsJson(const WindDiagnostics& d) {
   Json json = {{"step", d.step},
                {"divergenceBefore", d.divergenceBefore},
                {"divergenceAfter", d.divergenceAfter},
+               {"maxDivergenceBefore", d.maxDivergenceBefore},
                {"maxDivergenceAfter", d.maxDivergenceAfter},
                {"residual", d.divergenceBefore > 0 ? d.divergenceAfter / d.divergenceBefore : 0.0},
                {"kineticEnergy", d.kineticEnergy},

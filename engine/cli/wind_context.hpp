@@ -1,5 +1,6 @@
 #pragma once
-// What the verbs run the wind on and how they tell of it: OpenGL where there is one worth it, solver schemes, diagnostics.
+// What the verbs run the wind on and how they tell of it: OpenGL where there is one worth it, solver schemes,
+// diagnostics.
 
 #include <memory>
 

@@ -12,7 +12,9 @@ constexpr std::array kSides{64, 96, 128, 160, 192, 224, 256, 320, 384, 512, 640,
 constexpr double kMostShare = 0.45, kWantedShare = 0.3;
 constexpr std::size_t kMeasured = 40;  // steps
 
-int longer(glm::ivec2 v) { return std::max(v.x, v.y); }
+int longer(glm::ivec2 v) {
+  return std::max(v.x, v.y);
+}
 
 }  // namespace
 

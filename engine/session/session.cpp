@@ -19,7 +19,9 @@ using Clock = std::chrono::steady_clock;
 // Wall time the steps of one advance() may take: half of the frame, within these bounds.
 constexpr double kLeastBudgetMs = 6.0, kMostBudgetMs = 40.0;
 
-double msSince(Clock::time_point start) { return std::chrono::duration<double, std::milli>(Clock::now() - start).count(); }
+double msSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
 
 /// The median of the last few values.
 class RecentMedian {
@@ -172,7 +174,8 @@ void SessionImpl::runTo(double seconds) {
 bool SessionImpl::uploadWind() {
   const GridMapping& grid = m_simulation->solver().grid();
   if (glm::ivec2(m_windCopy.size()) != grid.resolution) {
-    Result<gpu::Texture> texture = gpu::Texture::create2D("wind copy", grid.resolution, GL_RG32F, {.filter = gpu::Filter::Linear});
+    Result<gpu::Texture> texture =
+        gpu::Texture::create2D("wind copy", grid.resolution, GL_RG32F, {.filter = gpu::Filter::Linear});
     if (!texture) {
       if (!m_uploadFailed) logError(texture.error().text());
       m_uploadFailed = true;

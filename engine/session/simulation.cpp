@@ -15,7 +15,8 @@ Result<Backend> chooseBackend(Backend asked, Backend wanted, const gpu::Context*
   if (choice == Backend::Cpu) return Backend::Cpu;
   if (choice == Backend::Auto) return context != nullptr && !context->info().software ? Backend::Gpu : Backend::Cpu;
   if (context == nullptr) {
-    return makeError(ErrorKind::Machine, "the GPU backend needs OpenGL 4.5, which is not available here; use --backend cpu");
+    return makeError(ErrorKind::Machine,
+                     "the GPU backend needs OpenGL 4.5, which is not available here; use --backend cpu");
   }
   return Backend::Gpu;
 }
@@ -72,7 +73,8 @@ void Simulation::adopt(const Project& project) {
 Status Simulation::setProject(const Project& project) {
   if (project.sameAs(m_project)) return Done{};
   if (Status valid = requireValid(project); !valid) return valid;
-  const bool rebuild = !sameGrid(*project.field, *m_project.field) || project.solver->backend != m_project.solver->backend;
+  const bool rebuild =
+      !sameGrid(*project.field, *m_project.field) || project.solver->backend != m_project.solver->backend;
   if (rebuild) {
     if (Status built = build(project); !built) return built;
   } else if (project.field != m_project.field || project.solver != m_project.solver ||
@@ -165,7 +167,9 @@ const std::vector<glm::vec2>& Simulation::velocity() {
   return m_cells;
 }
 
-glm::vec2 Simulation::windAt(glm::vec2 world) { return sampleCells(velocity(), m_solver->grid(), world); }
+glm::vec2 Simulation::windAt(glm::vec2 world) {
+  return sampleCells(velocity(), m_solver->grid(), world);
+}
 
 glm::vec2 sampleCells(std::span<const glm::vec2> cells, const GridMapping& grid, glm::vec2 world) {
   const glm::vec2 last(grid.resolution - 1);

@@ -13,11 +13,11 @@
 namespace windloom {
 
 struct SimulationOptions {
-  Backend backend = Backend::Auto;       ///< overrides the project's unless Auto
-  std::optional<glm::ivec2> resolution;  ///< instead of the project's (live preview)
-  gpu::Context* context = nullptr;       ///< null: only the CPU backend is there
-  gpu::ShaderLibrary* shaders = nullptr; ///< must be given with a context; both must outlive the simulation
-  int threads = 0;                       ///< CPU backend; as for ThreadPool
+  Backend backend = Backend::Auto;        ///< overrides the project's unless Auto
+  std::optional<glm::ivec2> resolution;   ///< instead of the project's (live preview)
+  gpu::Context* context = nullptr;        ///< null: only the CPU backend is there
+  gpu::ShaderLibrary* shaders = nullptr;  ///< must be given with a context; both must outlive the simulation
+  int threads = 0;                        ///< CPU backend; as for ThreadPool
 };
 
 class Simulation {
@@ -48,7 +48,7 @@ class Simulation {
   bool runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
 
   [[nodiscard]] double time() const { return m_seconds; }  ///< simulated, s
-  [[nodiscard]] long steps() const { return m_steps; }      ///< time() in time steps
+  [[nodiscard]] long steps() const { return m_steps; }     ///< time() in time steps
 
   /// Wind at a world position (x, z), m/s, bilinear between cell centres, clamped to the field. Reads the
   /// field back at most once a step.

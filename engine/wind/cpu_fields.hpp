@@ -55,8 +55,8 @@ struct CpuFields {
   AmbientWind ambientSettings;
   std::optional<WallSpeeds> noSlip;
   float dt = 0;
-  glm::vec2 ambient{0};     // without gusts, m/s
-  float gustAmplitude = 0;  // m/s
+  glm::vec2 ambient{0};              // without gusts, m/s
+  float gustAmplitude = 0;           // m/s
   std::vector<glm::vec2> gustTable;  // with its first row and column again at the end: rows of kGustRow
 
   CpuVelocity velocity;                  // the field that left the last step

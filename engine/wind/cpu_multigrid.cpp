@@ -185,8 +185,8 @@ void CpuMultigrid::advance(ThreadPool& pool, float alpha, float beta, bool joins
   CpuLevel& fine = m_levels[0];
   forRows(pool, fine.width, fine.height, [&](int, int begin, int end) {
     for (int k = begin; k < end; ++k) {
-      const DirectionRows rows{fine.d.row(k), fine.applied.row(k), m_direction.row(k), fine.lastApplied.row(k),
-                               m_solution.row(k), fine.b.row(k)};
+      const DirectionRows rows{fine.d.row(k),           fine.applied.row(k), m_direction.row(k),
+                               fine.lastApplied.row(k), m_solution.row(k),   fine.b.row(k)};
       if (joins) {
         advanceSolution(rows, fine.width, alpha, beta);
       } else {

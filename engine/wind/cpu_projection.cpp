@@ -55,8 +55,8 @@ void setCellGhosts(CpuFields& f) {
 
 namespace {
 
-/// The first step of a field: what one cycle finds becomes the expected pressure. Taken off the velocity on its own it is
-/// exact; as a part of the whole solution its rounding would hide what is left to solve.
+/// The first step of a field: what one cycle finds becomes the expected pressure. Taken off the velocity on its own it
+/// is exact; as a part of the whole solution its rounding would hide what is left to solve.
 void adoptOneCycle(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool, double squares) {
   (void)multigrid.solve(pool, squares, 0, 1);
   for (int k = 0; k < f.height(); ++k) {
@@ -88,7 +88,7 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   if (!f.hasPhi && f.solver.pressure == Pressure::Multigrid) {
     adoptOneCycle(f, multigrid, pool, before.predictedSquares);
     before = predict();
-  } else if ( !(before.predictedSquares <= before.fluxSquares)) {  // what was expected is of no use
+  } else if (!(before.predictedSquares <= before.fluxSquares)) {  // what was expected is of no use
     forgetPressure(f);
     before = predict();
   }
@@ -107,6 +107,7 @@ ProjectionReport project(CpuFields& f, CpuMultigrid& multigrid, ThreadPool& pool
   setCellGhosts(f);
   report.divergenceBefore = std::sqrt(before.fluxSquares / air) / area;
   report.divergenceAfter = std::sqrt(after.fluxSquares / air) / area;
+  report.maxDivergenceBefore = before.greatestFlux / area;
   report.maxDivergenceAfter = after.greatestFlux / area;
   report.kineticEnergy = 0.5 * after.cellSquares / air;
   report.maxSpeed = std::sqrt(double(after.greatestCellSquare));

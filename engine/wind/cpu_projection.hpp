@@ -9,7 +9,7 @@ namespace windloom {
 
 /// What a step reports.
 struct ProjectionReport {
-  double divergenceBefore = 0, divergenceAfter = 0, maxDivergenceAfter = 0;  // 1/s
+  double divergenceBefore = 0, maxDivergenceBefore = 0, divergenceAfter = 0, maxDivergenceAfter = 0;  // 1/s
   int cycles = 0;
   double kineticEnergy = 0, maxSpeed = 0, cfl = 0;
   CpuHealth health;

@@ -91,7 +91,8 @@ HWY_ATTR void gradientZ(const CpuFields& f, Pressed phi, int k, const float* in,
   const WindGrid& g = f.grid;
   const float scale = phi.factor / g.hz;
   if ((k > 0 && k < g.height) || g.periodicZ()) {
-    takeOff(in, phi.plane.row(k > 0 ? k - 1 : g.height - 1), phi.plane.row(k < g.height ? k : 0), scale, 0, g.width, out);
+    takeOff(in, phi.plane.row(k > 0 ? k - 1 : g.height - 1), phi.plane.row(k < g.height ? k : 0), scale, 0, g.width,
+            out);
   } else {
     const Border border = k == 0 ? g.zMin : g.zMax;
     const float outward = border == Border::Open ? (k == 0 ? 2 * scale : -2 * scale) : 0.0f;
@@ -164,6 +165,7 @@ HWY_ATTR RowFindings predictTask(CpuFields& f, CpuPlane& flux, int begin, int en
     settleRowZ(f, k + 1, k + 1 < end || k + 1 == height, settled(k + 1), findings);
     fluxRow(f.grid, u, settled(k), settled(k + 1), came);
     findings.fluxSquares += productOf(came, came, width);
+    findings.greatestFlux = std::max(findings.greatestFlux, static_cast<double>(greatestOf(came, width)));
     findings.speedSquares += productOf(u, u, width) + productOf(settled(k), settled(k), width);
     gradientX(f, expected, k, u, f.velocity.u.row(k));
     gradientZ(f, expected, k + 1, settled(k + 1), predicted(k + 1));

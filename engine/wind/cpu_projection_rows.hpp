@@ -10,8 +10,8 @@ struct RowFindings {
   double fluxSquares = 0;       // of the field as it came
   double predictedSquares = 0;  // after the last pressure was taken off
   double speedSquares = 0;      // u^2 + w^2 over faces i < W, k < H
-  double greatestFlux = 0;
-  double cellSquares = 0;  // |cell velocity|^2
+  double greatestFlux = 0;      // of the field as it came, or as it left
+  double cellSquares = 0;       // |cell velocity|^2
   float greatestCellSquare = 0, greatestCellX = 0, greatestCellZ = 0;
   CpuHealth health;
 };

@@ -80,8 +80,8 @@ void CpuWindSolver::configure(const WindSetup& setup) {
 
 std::size_t CpuWindSolver::memoryBytes() const {
   const CpuFields& f = m_fields;
-  std::size_t sum =
-      m_multigrid.memoryBytes() + f.phi.bytes() + f.expected.bytes() + f.speedX.bytes() + f.speedZ.bytes() + f.grid.solid.size();
+  std::size_t sum = m_multigrid.memoryBytes() + f.phi.bytes() + f.expected.bytes() + f.speedX.bytes() +
+                    f.speedZ.bytes() + f.grid.solid.size();
   for (const CpuVelocity* v : {&f.velocity, &f.forced, &f.moved, &f.corrected, &f.lowest, &f.highest})
     sum += v->u.bytes() + v->w.bytes();
   return sum;
@@ -124,6 +124,7 @@ void CpuWindSolver::step(std::span<const ArrowForce> arrows, double time) {
 void CpuWindSolver::takeReport(const ProjectionReport& report) {
   m_diagnostics.divergenceBefore = report.divergenceBefore;
   m_diagnostics.divergenceAfter = report.divergenceAfter;
+  m_diagnostics.maxDivergenceBefore = report.maxDivergenceBefore;
   m_diagnostics.maxDivergenceAfter = report.maxDivergenceAfter;
   m_diagnostics.cycles = report.cycles;
   m_diagnostics.kineticEnergy = report.kineticEnergy;

@@ -1,5 +1,5 @@
-// Cholesky's decomposition of -A. A pocket of air without an open border leaves a constant free: adding a matrix of ones
-// on it settles that, and changes nothing where the right-hand side sums to 0.
+// Cholesky's decomposition of -A. A pocket of air without an open border leaves a constant free: adding a matrix of
+// ones on it settles that, and changes nothing where the right-hand side sums to 0.
 #include "engine/wind/dense_inverse.hpp"
 
 #include <cmath>

@@ -7,7 +7,7 @@ namespace {
 constexpr double kComfortable = 0.6;  // of the wanted residual: below this a step needed no more
 constexpr long kMemory =
     32;  // steps; long enough to bridge the beat of two colliding whirls, short enough to calm down
-}
+}  // namespace
 
 void GpuCycles::forget(long nextStep) {
   m_known.clear();

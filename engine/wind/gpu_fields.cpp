@@ -74,17 +74,16 @@ Result<GpuFields> GpuFields::create(const WindSetup& setup) {
     gpu::BufferUse use;
   };
   const std::size_t velocityBytes = f.layout.floats * sizeof(float);
-  const Wanted buffers[] = {{&f.velocity, "wind velocity", velocityBytes, gpu::BufferUse::Static},
-                            {&f.carried, "wind carried", velocityBytes, gpu::BufferUse::Static},
-                            {&f.first, "wind first advection", velocityBytes, gpu::BufferUse::Static},
-                            {&f.moved, "wind moved", velocityBytes, gpu::BufferUse::Static},
-                            {&f.control, "wind control", sizeof(shared::WindControl), gpu::BufferUse::Dynamic},
-                            {&f.flags, "wind cell flags", (f.grid.solid.size() + 1) / 2 * sizeof(shared::uint),
-                             gpu::BufferUse::Dynamic},
-                            {&f.gustTable, "wind gust table", sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE,
-                             gpu::BufferUse::Dynamic},
-                            {&f.sums, "wind sums", sumFloats(f.grid) * sizeof(float), gpu::BufferUse::Static},
-                            {&f.blockBuffer, "wind block", sizeof(shared::WindBlock), gpu::BufferUse::Dynamic}};
+  const Wanted buffers[] = {
+      {&f.velocity, "wind velocity", velocityBytes, gpu::BufferUse::Static},
+      {&f.carried, "wind carried", velocityBytes, gpu::BufferUse::Static},
+      {&f.first, "wind first advection", velocityBytes, gpu::BufferUse::Static},
+      {&f.moved, "wind moved", velocityBytes, gpu::BufferUse::Static},
+      {&f.control, "wind control", sizeof(shared::WindControl), gpu::BufferUse::Dynamic},
+      {&f.flags, "wind cell flags", (f.grid.solid.size() + 1) / 2 * sizeof(shared::uint), gpu::BufferUse::Dynamic},
+      {&f.gustTable, "wind gust table", sizeof(glm::vec2) * WIND_GUST_TABLE * WIND_GUST_TABLE, gpu::BufferUse::Dynamic},
+      {&f.sums, "wind sums", sumFloats(f.grid) * sizeof(float), gpu::BufferUse::Static},
+      {&f.blockBuffer, "wind block", sizeof(shared::WindBlock), gpu::BufferUse::Dynamic}};
   for (const Wanted& wanted : buffers) {
     Result<gpu::Buffer> made = gpu::Buffer::create(wanted.label, wanted.bytes, wanted.use);
     if (!made) return made.error();

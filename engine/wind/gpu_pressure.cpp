@@ -1,5 +1,5 @@
-// Multigrid as in docs/solver.md section 6, cut for few dispatches: one takes two levels down, one takes a level up with
-// all its sweeps, and the small levels share one work-group.
+// Multigrid as in docs/solver.md section 6, cut for few dispatches: one takes two levels down, one takes a level up
+// with all its sweeps, and the small levels share one work-group.
 #include "engine/wind/gpu_pressure.hpp"
 
 #include <algorithm>
@@ -17,7 +17,8 @@ constexpr std::size_t kBlockStride = 256;  // uniform ranges begin at multiples 
 static_assert(WIND_DOWN_INNER(WIND_FINE_REGION) % 2 == 0 && WIND_DOWN_INNER(WIND_COARSE_REGION) % 2 == 0,
               "cells of the level after the next don't straddle work-groups");
 static_assert(WIND_HALO % 2 == 0, "the cells of a coarser one lie in the same region");
-static_assert(WIND_STRIP % 2 == 0 && WIND_FINE_REGION * WIND_FINE_REGION / WIND_STRIP <= 1024, "whole coarse rows in a strip");
+static_assert(WIND_STRIP % 2 == 0 && WIND_FINE_REGION * WIND_FINE_REGION / WIND_STRIP <= 1024,
+              "whole coarse rows in a strip");
 
 std::size_t commandOffset(std::size_t command) {
   return offsetof(shared::WindControl, groups) + command * 4 * sizeof(shared::uint);
@@ -58,7 +59,7 @@ std::vector<shared::uint> packFaces(const PressureLevel& level) {
 struct TailSize {
   std::size_t cells = 0, first = 0, nodes = 0, last = 0;
   [[nodiscard]] std::size_t bytes() const {
-    const std::size_t inverse = std::max<std::size_t>(last * last, 3 * WIND_TAIL_GROUP);  // also room for sums
+    const std::size_t inverse = std::max<std::size_t>(last * last, 4 * WIND_TAIL_GROUP);  // also room for sums
     return (cells + 1 + cells - first + 1 + nodes + inverse + last) * sizeof(float);
   }
 };
@@ -96,8 +97,8 @@ std::vector<std::uint8_t> plainCells(const WindGrid& grid, const PressureLevel& 
       for (std::size_t i = 0; i < w; ++i) {
         const bool inside = i > 0 && k > 0 && i + 1 < w && k + 1 < h;
         const std::size_t c = k * w + i;
-        plain[c] = inside && (grid.solid[c] | grid.solid[c - 1] | grid.solid[c + 1] | grid.solid[c - w] |
-                              grid.solid[c + w]) == 0;
+        plain[c] = inside &&
+                   (grid.solid[c] | grid.solid[c - 1] | grid.solid[c + 1] | grid.solid[c - w] | grid.solid[c + w]) == 0;
       }
     }
     return plain;
@@ -107,8 +108,8 @@ std::vector<std::uint8_t> plainCells(const WindGrid& grid, const PressureLevel& 
   for (std::size_t k = 0; k < h; ++k) {
     for (std::size_t i = 0; i < w; ++i) {
       const std::size_t node = k * (w + 1) + i;
-      plain[k * w + i] = faces[node] == whole && (faces[node + 1] ^ whole) << 16 == 0 &&
-                         (faces[node + w + 1] ^ whole) >> 16 == 0;
+      plain[k * w + i] =
+          faces[node] == whole && (faces[node + 1] ^ whole) << 16 == 0 && (faces[node + w + 1] ^ whole) >> 16 == 0;
     }
   }
   return plain;
@@ -130,7 +131,8 @@ std::vector<shared::uint> kindsOf(const PressureLevel& level, const std::vector<
   };
   for (int k = 0; k < h; ++k) {
     for (int i = 0; i < w; ++i) {
-      const bool other = plain[static_cast<std::size_t>(k) * static_cast<std::size_t>(w) + static_cast<std::size_t>(i)] == 0;
+      const bool other =
+          plain[static_cast<std::size_t>(k) * static_cast<std::size_t>(w) + static_cast<std::size_t>(i)] == 0;
       at(i + 1, k + 1) = at(i, k + 1) + at(i + 1, k) - at(i, k) + (other ? 1 : 0);
     }
   }
@@ -161,8 +163,8 @@ Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::Buff
   return Done{};
 }
 
-/// The reading pass names the writer: every pass of the solve reads what the one before it wrote to storage buffers, and
-/// those of the cycles after the first also their work-groups.
+/// The reading pass names the writer: every pass of the solve reads what the one before it wrote to storage buffers,
+/// and those of the cycles after the first also their work-groups.
 void afterLastPass(const gpu::Buffer* commands = nullptr) {
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | (commands != nullptr ? GL_COMMAND_BARRIER_BIT : 0u));
 }
@@ -517,8 +519,9 @@ void GpuPressure::project(const GpuFields& fields, const gpu::Buffer& star, cons
   fields.control.bindStorage(WIND_SSBO_CONTROL);
   fields.cells.bindImage(WIND_IMAGE_CELLS, GL_WRITE_ONLY);
   const gpu::Program* program = fields.solver.pressure == Pressure::Jacobi ? m_projectJacobi : m_project;
-  const glm::ivec2 groups((fields.width() + WIND_GROUP_X - 1) / WIND_GROUP_X,
-                          (fields.height() + WIND_GROUP_Z * WIND_PROJECT_STRIP - 1) / (WIND_GROUP_Z * WIND_PROJECT_STRIP));
+  const glm::ivec2 groups(
+      (fields.width() + WIND_GROUP_X - 1) / WIND_GROUP_X,
+      (fields.height() + WIND_GROUP_Z * WIND_PROJECT_STRIP - 1) / (WIND_GROUP_Z * WIND_PROJECT_STRIP));
   program->dispatch(groups.x, groups.y);
   addUp(*m_report, groups, nullptr);
   std::swap(m_predicted, m_flux);

@@ -22,8 +22,8 @@ class GpuPressure {
   /// Makes the levels again after the solids changed.
   Status rebuild(GpuFields& fields);
 
-  /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from what the steps before make
-  /// one expect; where there were none, from one cycle more. The GPU skips cycles once it has converged.
+  /// Records a solve of at most `cycles` V-cycles for the velocity `star` (q*), starting from what the steps before
+  /// make one expect; where there were none, from one cycle more. The GPU skips cycles once it has converged.
   void solve(const GpuFields& fields, const gpu::Buffer& star, SolveStart start, int cycles);
 
   /// u = q* - gradient of the pressure into `result` with ghosts, cell velocities and the numbers of the step.
@@ -45,8 +45,7 @@ class GpuPressure {
   Status makeLevel(Level& level, const PressureLevel& source);
   Status makeTail(std::span<const PressureLevel> levels, std::size_t first);
   Status sendLevels(std::span<const PressureLevel> levels, const WindGrid& grid);
-  Status findKinds(std::span<const PressureLevel> levels, const WindGrid& grid,
-                   std::vector<shared::WindLevel>& blocks);
+  Status findKinds(std::span<const PressureLevel> levels, const WindGrid& grid, std::vector<shared::WindLevel>& blocks);
   Status loadPrograms();
   void solveMultigrid(const GpuFields& fields, SolveStart start, int cycles);
   void recordCycles(const GpuFields& fields, int cycles);

@@ -158,6 +158,7 @@ void GpuWindSolver::take(long step, const shared::WindControl& report) {
   d.step = step;
   d.divergenceBefore = std::sqrt(double(report.fluxBefore)) / area;
   d.divergenceAfter = std::sqrt(double(report.fluxAfter)) / area;
+  d.maxDivergenceBefore = double(report.maxFluxBefore) / area;
   d.maxDivergenceAfter = double(report.maxFluxAfter) / area;
   d.kineticEnergy = double(report.energy);
   d.maxSpeed = std::min(std::sqrt(double(report.maxSpeedSquare)), double(m_fields.solver.maxSpeed));

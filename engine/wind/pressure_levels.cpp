@@ -148,7 +148,8 @@ std::vector<PressureLevel> buildPressureLevels(const WindGrid& grid, FinestLevel
     levels.emplace_back();
     levels.back().width = geometry.width;
     levels.back().height = geometry.height;
-    levels.back().scale = glm::vec2(geometry.cellSize.y / geometry.cellSize.x, geometry.cellSize.x / geometry.cellSize.y);
+    levels.back().scale =
+        glm::vec2(geometry.cellSize.y / geometry.cellSize.x, geometry.cellSize.x / geometry.cellSize.y);
   }
   for (;;) {
     const glm::ivec2 factor = coarseningOf({geometry.width, geometry.height}, geometry.cellSize);

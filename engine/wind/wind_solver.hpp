@@ -31,23 +31,24 @@ struct WindSetup {
   FieldSettings field;
   SolverSettings solver;
   AmbientWind ambient;
-  std::vector<Obstacle> obstacles;    ///< muted ones are ignored
-  std::optional<WallSpeeds> noSlip;   ///< wall borders hold the air at these speeds; without it air slips along them
+  std::vector<Obstacle> obstacles;   ///< muted ones are ignored
+  std::optional<WallSpeeds> noSlip;  ///< wall borders hold the air at these speeds; without it air slips along them
 };
 
 /// What one step did. On the GPU backend these are of a recent finished step: nothing waits for them.
 struct WindDiagnostics {
-  long step = 0;                 ///< the step these belong to; 0: none yet
-  double divergenceBefore = 0;   ///< RMS of div u over air cells before projection, 1/s
-  double divergenceAfter = 0;    ///< and after it
-  double maxDivergenceAfter = 0; ///< 1/s
-  double kineticEnergy = 0;      ///< half the mean of |u|^2 over air cells, m^2/s^2
-  double maxSpeed = 0;           ///< m/s
-  double cfl = 0;                ///< fastest cell crossing in cells a step
-  int cycles = 0;                ///< V-cycles or Jacobi sweeps done
-  long nonFiniteCells = 0;       ///< cells reset since the start because they were not finite
-  glm::ivec2 firstNonFinite{-1, -1};  ///< a cell among them
-  double stepMs = 0;             ///< time of the step on its processor
+  long step = 0;                                        ///< the step these belong to; 0: none yet
+  double divergenceBefore = 0;                          ///< RMS of div u over air cells before projection, 1/s
+  double divergenceAfter = 0;                           ///< and after it
+  double maxDivergenceBefore = 0;                       ///< 1/s
+  double maxDivergenceAfter = 0;                        ///< 1/s
+  double kineticEnergy = 0;                             ///< half the mean of |u|^2 over air cells, m^2/s^2
+  double maxSpeed = 0;                                  ///< m/s
+  double cfl = 0;                                       ///< fastest cell crossing in cells a step
+  int cycles = 0;                                       ///< V-cycles or Jacobi sweeps done
+  long nonFiniteCells = 0;                              ///< cells reset since the start because they were not finite
+  glm::ivec2 firstNonFinite{-1, -1};                    ///< a cell among them
+  double stepMs = 0;                                    ///< time of the step on its processor
   std::vector<std::pair<std::string, double>> stageMs;  ///< the same by stage, in order
 };
 

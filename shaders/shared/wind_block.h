@@ -138,6 +138,7 @@ struct WindControl {
   uint converged;                 // 0 or 1
   uint nonFinite;                 // cells reset since the start
   uint firstNonFinite;            // k * width + i; 0xffffffff: none
+  float maxFluxBefore;            // m^2/s
   float fluxAfter, maxFluxAfter;  // mean square and greatest size, m^2/s
   float energy;                   // mean of |v|^2 / 2
   float maxSpeedSquare;           // m^2/s^2
@@ -145,7 +146,7 @@ struct WindControl {
   float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
   float size;                     // A p . A p
   uint history;                   // WIND_HISTORY_*
-  uint paddingA, paddingB, paddingC;
+  uint paddingA, paddingB;
   uint groups[WIND_COMMANDS * 4]; // indirect dispatches: x, y, z of each command
 };
 

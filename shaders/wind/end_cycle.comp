@@ -1,6 +1,6 @@
 #version 450 core
-// The end of a cycle, by a single work-group: how it joins the ones before (docs/solver.md section 6), and whether it was
-// the last.
+// The end of a cycle, by a single work-group: how it joins the ones before (docs/solver.md section 6), and whether it
+// was the last.
 #include "shaders/wind/block.glsl"
 
 layout(local_size_x = WIND_TOTAL_GROUP) in;

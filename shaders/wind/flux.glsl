@@ -1,6 +1,6 @@
 // The right-hand side of the pressure solve, on level 0: what flows out of the cells once the pressure that is expected
 // is taken off the velocity. docs/solver.md section 6, points 1 to 3. Needs region.glsl and a buffer `control`.
-#define SUM_COUNT 3
+#define SUM_COUNT 4
 #define SUM_ADDED 3
 #include "shaders/wind/sums.glsl"
 
@@ -8,7 +8,8 @@ layout(std430, binding = WIND_SSBO_VELOCITY) readonly buffer Star { float star[]
 layout(std430, binding = WIND_SSBO_PREDICTED) readonly buffer Predicted { float predicted[]; };
 layout(std430, binding = WIND_SSBO_FLUX) writeonly buffer Flux { float flux[]; };
 
-// b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2. What the pressure's
+// b of the strip from the velocity and the expected pressure; adds up f0^2, b^2 and speed^2, and finds
+// the greatest f0. What the pressure's
 // gradient carries out of a cell is summed from differences, which are exact where it is smooth.
 void loadFlux(const bool plain, inout float sums[SUM_COUNT]) {
   bool kept = wind.mayDrop == 0 || control.history != WIND_HISTORY_NONE;  // a look at it takes long
@@ -32,6 +33,7 @@ void loadFlux(const bool plain, inout float sums[SUM_COUNT]) {
     cells[n].b = before - carried[n];
     if (!isInner(plain, n)) continue;
     sums[0] += before * before;
+    sums[3] = max(sums[3], abs(before));
     sums[1] += cells[n].b * cells[n].b;
     flux[found[n]] = cells[n].b;
   }

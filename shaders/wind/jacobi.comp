@@ -24,7 +24,7 @@ void load(const bool plain) {
 #endif
 
 #ifdef FIRST
-float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
+float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
 #endif
 
 void run(const bool plain) {

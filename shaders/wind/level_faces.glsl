@@ -1,5 +1,5 @@
-// How a level of the pressure solve keeps its conductances: node (i, k) of (width + 1) x (height + 1) holds those of the
-// low faces of cell (i, k), x and z, as half floats and as parts of a whole face's. A border face holds the conductance
+// How a level of the pressure solve keeps its conductances: node (i, k) of (width + 1) x (height + 1) holds those of
+// the low faces of cell (i, k), x and z, as half floats and as parts of a whole face's. A border face holds the conductance
 // to the ground behind it: what lies there has d = 0.
 
 vec2 facesOf(uint node) { return unpackHalf2x16(node); }

@@ -89,8 +89,9 @@ void restrictTwice() {
     b[round] = there ? sumOfCell(ring) : 0.0;
     int node = place.y * (size.x + 1) + place.x;
     vec2 low = there ? facesOf(coarseFaces[node]) : vec2(0.0);
-    links[round] = there ? vec4(low.x, facesOf(coarseFaces[node + 1]).x, low.y, facesOf(coarseFaces[node + size.x + 1]).y)
-                         : vec4(0.0);
+    float xHigh = there ? facesOf(coarseFaces[node + 1]).x : 0.0;
+    float zHigh = there ? facesOf(coarseFaces[node + size.x + 1]).y : 0.0;
+    links[round] = vec4(low.x, xHigh, low.y, zHigh);
     links[round] *= vec4(level.coarseScaleX, level.coarseScaleX, level.coarseScaleZ, level.coarseScaleZ);
     inverse[round] = inverseOf((links[round].x + links[round].y) + (links[round].z + links[round].w));
     place = coarsePlace(ring);
@@ -136,7 +137,7 @@ void restrictTwice() {
 }
 
 #ifdef FIRST
-float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0);
+float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0);
 #endif
 
 void run(const bool plain) {

@@ -15,7 +15,7 @@ layout(std430, binding = WIND_SSBO_D_OUT) writeonly buffer DOut { float dOut[]; 
 
 layout(std430, binding = WIND_SSBO_DENSE) readonly buffer Dense { float lastInverse[]; };
 
-shared float dense[max(TAIL_LAST * TAIL_LAST, 3 * WIND_TAIL_GROUP)], lastRhs[TAIL_LAST];
+shared float dense[max(TAIL_LAST * TAIL_LAST, 4 * WIND_TAIL_GROUP)], lastRhs[TAIL_LAST];
 
 #ifdef START
 layout(std430, binding = WIND_SSBO_CONTROL) buffer Control { WindControl control; };
@@ -77,7 +77,8 @@ float neighbours(int n) {
 
 float afterFirstSweep(int n) { return -WIND_SMOOTH_DOWN * stencils[n].b * stencils[n].inverse; }
 
-// The way down: what the first sweep leaves, summed over the cells of the next level. `d` holds the residuals meanwhile.
+// The way down: what the first sweep leaves, summed over the cells of the next level. `d` holds the residuals
+// meanwhile.
 void goDown(WindLevel l, WindLevel next) {
   for (int n = 0; n < TAIL_STRIDES; ++n) {
     if (cellOf(n) < countOf(l)) d[l.cells + cellOf(n)] = afterFirstSweep(n);

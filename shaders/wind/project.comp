@@ -129,7 +129,8 @@ void main() {
   int i = int(gl_GlobalInvocationID.x);
   int first = int(gl_WorkGroupID.y) * WIND_GROUP_Z * WIND_PROJECT_STRIP + int(gl_LocalInvocationID.y);
   uint history = control.history;
-  solution = Solution(history != WIND_HISTORY_NONE, history == WIND_HISTORY_BAD, control.cycles > 0u, control.cycles > 1u, control.alpha, control.beta);
+  solution = Solution(history != WIND_HISTORY_NONE, history == WIND_HISTORY_BAD, control.cycles > 0u,
+                      control.cycles > 1u, control.alpha, control.beta);
   float sums[SUM_COUNT] = float[](0.0, 0.0, 0.0, 0.0, 0.0);  // flux^2, |v|^2; greatest flux, |v|^2, crossing
   for (int n = 0; n < WIND_PROJECT_STRIP; ++n) {
     int k = first + n * WIND_GROUP_Z;

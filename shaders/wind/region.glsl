@@ -167,7 +167,9 @@ void lookAround(out vec4 around[WIND_STRIP]) {
 void gather(const bool plain, out float sums[WIND_STRIP]) {
   vec4 around[WIND_STRIP];
   lookAround(around);
-  for (int n = 0; n < WIND_STRIP; ++n) sums[n] = neighbours(plain, n, around[n].x, around[n].y, around[n].z, around[n].w);
+  for (int n = 0; n < WIND_STRIP; ++n) {
+    sums[n] = neighbours(plain, n, around[n].x, around[n].y, around[n].z, around[n].w);
+  }
 }
 
 #ifdef LEVEL0

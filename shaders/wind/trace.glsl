@@ -45,7 +45,8 @@ bool leftField(vec2 place) {
          (open.w && place.y > float(wind.height));
 }
 
-// Whether a position and everything that is interpolated around it lies inside the field. False for what isn't a number.
+// Whether a position and everything that is interpolated around it lies inside the field. False for what isn't a
+// number.
 bool isDeepInside(vec2 place) {
   return min(place.x, place.y) >= 1.0 && place.x <= float(wind.width - 1) && place.y <= float(wind.height - 1);
 }

@@ -25,7 +25,7 @@ class BenchReport(harness.Case):
         self.assertLess(step["residual"], 2e-3)
         self.assertEqual(step["not finite"], 0)
         self.assertEqual(set(step["stages"]), {"forces", "advection", "projection"})
-        for key in ("divergenceBefore", "divergenceAfter", "maxDivergenceAfter", "kineticEnergy", "maxSpeed", "cfl", "cycles"):
+        for key in ("divergenceBefore", "divergenceAfter", "maxDivergenceBefore", "maxDivergenceAfter", "kineticEnergy", "maxSpeed", "cfl", "cycles"):
             self.assertGreater(step["last step"][key], 0, key)
         for rows in report["scenes"].values():
             for row in rows:

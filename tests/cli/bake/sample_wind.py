@@ -47,6 +47,7 @@ class SampledWind(harness.Case):
         self.assertLess(diagnostics["divergenceAfter"], 2e-3 * diagnostics["divergenceBefore"] + 1e-6)
         self.assertAlmostEqual(diagnostics["residual"] * diagnostics["divergenceBefore"],
                                diagnostics["divergenceAfter"], delta=1e-9)
+        self.assertGreaterEqual(diagnostics["maxDivergenceBefore"], diagnostics["divergenceBefore"])
         self.assertGreaterEqual(diagnostics["maxDivergenceAfter"], diagnostics["divergenceAfter"])
         self.assertGreater(diagnostics["cycles"], 0)
         self.assertGreater(diagnostics["stageMs"]["projection"], 0)

@@ -37,7 +37,8 @@ Project breezeProject(glm::ivec2 resolution) {
 
 class LiveSession : public testing::GpuTest {
  protected:
-  std::unique_ptr<Session> open(const Project& project, Backend backend = Backend::Cpu, LiveGrid grid = LiveGrid::Automatic) {
+  std::unique_ptr<Session> open(const Project& project, Backend backend = Backend::Cpu,
+                                LiveGrid grid = LiveGrid::Automatic) {
     SessionOptions options;
     options.context = &context();
     options.shaders = &shaders();

@@ -48,6 +48,7 @@ TEST(WindProjection, StopsAtTheCycleLimitAndSaysWhatItReached) {
   EXPECT_EQ(d.cycles, 1);
   EXPECT_GT(d.divergenceAfter, 1e-7 * d.divergenceBefore);
   EXPECT_LT(d.divergenceAfter, 0.2 * d.divergenceBefore);
+  EXPECT_GE(d.maxDivergenceBefore, d.divergenceBefore);
   EXPECT_GE(d.maxDivergenceAfter, d.divergenceAfter);
 }
 
