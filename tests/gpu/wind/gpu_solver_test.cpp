@@ -262,32 +262,27 @@ TEST_F(GpuSolver, KeepsWithinTheMemoryBarOfAMillionCells) {
 }
 
 TEST_F(GpuSolver, RecoversFromPressureThatLedAstray) {
-  // From calm to a storm and back, every few steps, without an arrow that comes or goes: what two steps make one expect
-  // is wrong each time, and no second look is recorded.
-  const WindSetup setup = usualSetup({96, 64}, 0.5f, Border::Wall);
+  // Forces that turn round every three steps make what two steps let one expect wrong, plates make the one cycle
+  // allowed weak, and no second look at the expectation is recorded once arrows stay: errors grew a hundredfold.
+  WindSetup setup = usualSetup({64, 48}, 0.5f, Border::Wall);
+  setup.solver.maxCycles = 1;
+  const glm::vec2 size = setup.field.size;
+  setup.obstacles = {box(size * 0.3f, {0.4f, 14}, 0),
+                     box(size * glm::vec2(0.7f, 0.5f), size * glm::vec2(0.5f, 0.02f), 0)};
   const auto gpu = make(setup);
-  auto cpu = makeCpuWindSolver(setup, 1);
-  ASSERT_TRUE(cpu.ok());
-  std::vector<ArrowForce> arrows = arrowsOver(setup.field.size);
+  std::vector<ArrowForce> arrows = arrowsOver(size);
+  std::vector<glm::vec2> cells;
   double worst = 0;
-  for (int n = 0; n < 80; ++n) {
+  for (int n = 0; n < 60; ++n) {
     for (ArrowForce& a : arrows) {
       a.drive = ARROW_DRIVE_FORCE;
-      a.strength = n / 7 % 2 == 0 ? 400.0f : -400.0f;
+      a.strength = n / 3 % 2 == 0 ? 400.0f : -400.0f;
     }
     gpu->step(arrows, n / 60.0);
-    (*cpu)->step(arrows, n / 60.0);
-    std::vector<glm::vec2> cells;
     gpu->readVelocity(cells);
-    const WindDiagnostics& d = gpu->diagnostics();
-    ASSERT_TRUE(std::isfinite(d.divergenceAfter)) << "step " << n;
-    worst = std::max(worst, d.divergenceAfter / d.divergenceBefore);
+    worst = std::max(worst, gpu->diagnostics().divergenceAfter / gpu->diagnostics().divergenceBefore);
   }
-  EXPECT_LE(worst, 0.05);
-  std::vector<glm::vec2> onGpu, onCpu;
-  gpu->readVelocity(onGpu);
-  (*cpu)->readVelocity(onCpu);
-  EXPECT_LE(relativeDifference(onGpu, onCpu), 0.02);
+  EXPECT_LE(worst, 0.2);
 }
 
 TEST_F(GpuSolver, RefusesAGridThatCannotBe) {
