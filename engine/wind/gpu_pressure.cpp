@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cstring>
-#include <glm/gtc/packing.hpp>
 #include <iterator>
 
 #include "engine/wind/dense_inverse.hpp"
+#include "engine/wind/gpu_levels.hpp"
 #include "engine/wind/gpu_programs.hpp"
 
 namespace windloom {
@@ -24,135 +24,14 @@ std::size_t commandOffset(std::size_t command) {
   return offsetof(shared::WindControl, groups) + command * 4 * sizeof(shared::uint);
 }
 
-std::size_t cellCount(const PressureLevel& level) {
-  return static_cast<std::size_t>(level.width) * static_cast<std::size_t>(level.height);
-}
-std::size_t nodeCount(const PressureLevel& level) {
-  return static_cast<std::size_t>(level.width + 1) * static_cast<std::size_t>(level.height + 1);
-}
-
 int groupsAcross(int cells, int inner) {
   return (cells + inner - 1) / inner;
 }
 
-/// See shaders/wind/level_faces.glsl.
-std::vector<shared::uint> packFaces(const PressureLevel& level) {
-  const std::size_t w = static_cast<std::size_t>(level.width), h = static_cast<std::size_t>(level.height);
-  std::vector<shared::uint> faces(nodeCount(level));
-  for (std::size_t k = 0; k <= h; ++k) {
-    for (std::size_t i = 0; i <= w; ++i) {
-      glm::vec2 low(0);
-      if (k < h) low.x = level.cx[k * (w + 1) + i];
-      if (k < h && i == 0) low.x += level.groundX[2 * k];
-      if (k < h && i == w) low.x += level.groundX[2 * k + 1];
-      if (i < w) low.y = level.cz[k * w + i];
-      if (i < w && k == 0) low.y += level.groundZ[2 * i];
-      if (i < w && k == h) low.y += level.groundZ[2 * i + 1];
-      faces[k * (w + 1) + i] = glm::packHalf2x16(low / level.scale);
-    }
-  }
-  return faces;
-}
-
-/// Floats of shared memory the tail needs from level `first` on: d and its 0, right-hand sides of all but the first
-/// level, and their nodes; the inverse of the last level and its right-hand side.
-struct TailSize {
-  std::size_t cells = 0, first = 0, nodes = 0, last = 0;
-  [[nodiscard]] std::size_t bytes() const {
-    const std::size_t inverse = std::max<std::size_t>(last * last, 4 * WIND_TAIL_GROUP);  // also room for sums
-    return (cells + 1 + cells - first + 1 + nodes + inverse + last) * sizeof(float);
-  }
-};
-TailSize tailSize(std::span<const PressureLevel> levels, std::size_t first) {
-  TailSize size;
-  size.first = cellCount(levels[first]);
-  for (const PressureLevel& level : levels.subspan(first)) {
-    size.cells += cellCount(level);
-    size.nodes += nodeCount(level);
-  }
-  size.nodes -= nodeCount(levels[first]);
-  size.last = cellCount(levels.back());
-  return size;
-}
-
-/// The first level that the tail can take over.
-std::size_t firstOfTail(std::span<const PressureLevel> levels) {
+std::size_t sharedMemoryLimit() {
   GLint limit = 0;
   glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &limit);
-  for (std::size_t first = 1;; ++first) {
-    const bool last = first + 1 == levels.size();
-    if (last || (cellCount(levels[first]) <= WIND_TAIL_CELLS &&
-                 tailSize(levels, first).bytes() <= static_cast<std::size_t>(limit))) {
-      return first;
-    }
-  }
-}
-
-/// Which cells of a level are like those of an endless field of air.
-std::vector<std::uint8_t> plainCells(const WindGrid& grid, const PressureLevel& level, std::size_t index) {
-  const std::size_t w = static_cast<std::size_t>(level.width), h = static_cast<std::size_t>(level.height);
-  std::vector<std::uint8_t> plain(w * h);
-  if (index == 0) {
-    for (std::size_t k = 0; k < h; ++k) {
-      for (std::size_t i = 0; i < w; ++i) {
-        const bool inside = i > 0 && k > 0 && i + 1 < w && k + 1 < h;
-        const std::size_t c = k * w + i;
-        plain[c] = inside &&
-                   (grid.solid[c] | grid.solid[c - 1] | grid.solid[c + 1] | grid.solid[c - w] | grid.solid[c + w]) == 0;
-      }
-    }
-    return plain;
-  }
-  const std::vector<shared::uint> faces = packFaces(level);
-  const shared::uint whole = glm::packHalf2x16(glm::vec2(1));
-  for (std::size_t k = 0; k < h; ++k) {
-    for (std::size_t i = 0; i < w; ++i) {
-      const std::size_t node = k * (w + 1) + i;
-      plain[k * w + i] =
-          faces[node] == whole && (faces[node + 1] ^ whole) << 16 == 0 && (faces[node + w + 1] ^ whole) >> 16 == 0;
-    }
-  }
-  return plain;
-}
-
-/// How the regions of a pass lie: the first one begins at -margin, the next ones `inner` cells on.
-struct RegionTiling {
-  glm::ivec2 inner, margin, groups;
-  int region;
-};
-
-/// Of each region whether it lies inside the field and all its cells are plain.
-std::vector<shared::uint> kindsOf(const PressureLevel& level, const std::vector<std::uint8_t>& plain,
-                                  const RegionTiling& tiling) {
-  const int w = level.width, h = level.height;
-  std::vector<int> others(static_cast<std::size_t>(w + 1) * static_cast<std::size_t>(h + 1), 0);  // in cells before
-  const auto at = [&](int i, int k) -> int& {
-    return others[static_cast<std::size_t>(k) * static_cast<std::size_t>(w + 1) + static_cast<std::size_t>(i)];
-  };
-  for (int k = 0; k < h; ++k) {
-    for (int i = 0; i < w; ++i) {
-      const bool other =
-          plain[static_cast<std::size_t>(k) * static_cast<std::size_t>(w) + static_cast<std::size_t>(i)] == 0;
-      at(i + 1, k + 1) = at(i, k + 1) + at(i + 1, k) - at(i, k) + (other ? 1 : 0);
-    }
-  }
-  std::vector<shared::uint> kinds;
-  for (int z = 0; z < tiling.groups.y; ++z) {
-    for (int x = 0; x < tiling.groups.x; ++x) {
-      const glm::ivec2 low = glm::ivec2(x, z) * tiling.inner - tiling.margin, high = low + tiling.region;
-      const bool inside = low.x >= 0 && low.y >= 0 && high.x <= w && high.y <= h;
-      kinds.push_back(inside && at(high.x, high.y) - at(low.x, high.y) - at(high.x, low.y) + at(low.x, low.y) == 0);
-    }
-  }
-  return kinds;
-}
-
-/// Whether one pass can take this level and the next on the way down: around a periodic border the cells of the next
-/// level must all be whole.
-bool makesPair(const PressureLevel& level, const PressureLevel& next, const WindGrid& grid) {
-  const bool wholeX = !grid.periodicX() || level.width == next.width * next.factorX;
-  const bool wholeZ = !grid.periodicZ() || level.height == next.height * next.factorZ;
-  return wholeX && wholeZ;
+  return static_cast<std::size_t>(limit);
 }
 
 Status make(gpu::Buffer& target, const char* label, std::size_t bytes, gpu::BufferUse use = gpu::BufferUse::Static,
@@ -198,7 +77,7 @@ Status GpuPressure::rebuild(GpuFields& fields) {
     levels.push_back(levels.front());
   }
   WL_REQUIRE(levels.size() <= WIND_MAX_LEVELS, "levels shrink by two");
-  const std::size_t own = firstOfTail(levels);
+  const std::size_t own = firstOfTail(levels, sharedMemoryLimit());
   m_levels.clear();
   m_levels.resize(own);
   for (std::size_t l = 1; l < own; ++l) {
@@ -311,11 +190,11 @@ Status GpuPressure::findKinds(std::span<const PressureLevel> levels, const WindG
   std::vector<shared::uint> kinds;
   for (std::size_t l = 0; l < m_levels.size(); ++l) {
     shared::WindLevel& b = blocks[l];
-    const std::vector<std::uint8_t> plain = plainCells(grid, levels[l], l);
+    const PlainCells plain = l == 0 ? PlainCells(grid) : PlainCells(levels[l], packFaces(levels[l]));
     const int region = l == 0 ? WIND_FINE_REGION : WIND_COARSE_REGION;
     const glm::ivec2 factor(b.factorX, b.factorZ);
     const auto add = [&](const RegionTiling& tiling) {
-      const std::vector<shared::uint> own = kindsOf(levels[l], plain, tiling);
+      const std::vector<shared::uint> own = kindsOf(plain, tiling);
       kinds.insert(kinds.end(), own.begin(), own.end());
       return static_cast<int>(kinds.size() - own.size());
     };
