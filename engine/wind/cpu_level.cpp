@@ -5,6 +5,8 @@
 
 #include <algorithm>
 
+#include "shaders/shared/wind_constants.h"
+
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "engine/wind/cpu_level.cpp"
 #include <hwy/foreach_target.h>
@@ -181,7 +183,9 @@ class Pipeline {
   }
   HWY_ATTR void enter(int k) {
     float* out = m_rings.row(0, k);
-    prolongRow({m_level, wrap(k)}, *m_pass.coarse, m_level.d.row(wrap(k)), out);
+    float* before = m_rings.residual();  // free until the row's residual is due
+    startRow({m_level, wrap(k)}, WIND_SMOOTH_DOWN, before);
+    prolongRow({m_level, wrap(k)}, *m_pass.coarse, before, out);
     setEnds(out);
   }
   HWY_ATTR void sweepRow(int stage, int k) {
@@ -192,7 +196,8 @@ class Pipeline {
       smoothRow({m_level, wrap(k)}, around(stage - 1, k), m_pass.weights[static_cast<std::size_t>(stage - 1)], out);
     }
     setEnds(out);
-    if (stage == sweeps() && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
+    const bool keeps = m_pass.end != PassEnd::Restrict && stage == sweeps();
+    if (keeps && k >= m_begin && k < m_end) std::copy_n(out, m_level.width, m_level.next.row(k));
   }
   HWY_ATTR void leave(int k, LevelProducts& products) {
     residualRow({m_level, k}, around(sweeps(), k), m_rings.residual());

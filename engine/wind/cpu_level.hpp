@@ -36,10 +36,10 @@ inline constexpr std::size_t kMostSweeps = 5;
 enum class PassStart {
   Zero,     ///< d is 0
   Plane,    ///< d as it is
-  Prolong,  ///< d plus the coarse level's correction
+  Prolong,  ///< a sweep from 0 of weight WIND_SMOOTH_DOWN, plus the coarse level's correction
 };
 enum class PassEnd {
-  Restrict,  ///< the residual becomes the coarse level's b
+  Restrict,  ///< the residual becomes the coarse level's b, and d is not kept: the way up finds it again
   Apply,     ///< A d is stored in level.applied, and its products are summed
   None,
 };
@@ -52,7 +52,8 @@ struct LevelProducts {
 };
 
 /// Sweeps of the smoother over one level, with what comes before and after them, row by row, so that a row stays in the
-/// cache from the first sweep to the last. The result is written to level.next.
+/// cache from the first sweep to the last. The result is written to level.next, except for
+/// Restrict.
 struct LevelPass {
   CpuLevel* level = nullptr;
   CpuLevel* coarse = nullptr;  // for Prolong and Restrict; for Prolong with the ghosts of its d set

@@ -142,7 +142,7 @@ LevelProducts CpuMultigrid::run(ThreadPool& pool, const LevelPass& pass) {
         m_products[static_cast<std::size_t>(task)] = runLevelPass(pass, begin, end);
       },
       kLevelRowsPerTask);
-  std::swap(level.d, level.next);
+  if (pass.end != PassEnd::Restrict) std::swap(level.d, level.next);
   LevelProducts sum;
   for (const LevelProducts& p : m_products) {
     sum.withResidual += p.withResidual;

@@ -51,6 +51,19 @@ std::size_t sumFloats(const WindGrid& grid) {
   return static_cast<std::size_t>(std::max(cells, regions));
 }
 
+/// The pass that joins cycles has the most.
+Status checkStorageBuffers() {
+  constexpr GLint kNeeded = 11;
+  GLint blocks = 0, bindings = 0;
+  glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &blocks);
+  glGetIntegerv(GL_MAX_SHADER_STORAGE_BUFFER_BINDINGS, &bindings);
+  if (blocks >= kNeeded && bindings > WIND_SSBO_FLAGS) return Done{};
+  return makeError(ErrorKind::Machine, "this OpenGL driver has " + std::to_string(blocks) + " storage buffers in " +
+                                           std::to_string(bindings) + " places for a compute shader; the wind on the " +
+                                           "GPU needs " + std::to_string(kNeeded) + " in " +
+                                           std::to_string(WIND_SSBO_FLAGS + 1) + ". Choose the CPU backend");
+}
+
 }  // namespace
 
 int windBorderCode(Border border) {
@@ -65,6 +78,7 @@ VelocityLayout::VelocityLayout(const WindGrid& grid)
 GpuFields::GpuFields(const WindSetup& setup) : grid(makeWindGrid(setup.field, setup.obstacles)), layout(grid) {}
 
 Result<GpuFields> GpuFields::create(const WindSetup& setup) {
+  if (Status enough = checkStorageBuffers(); !enough) return enough.error();
   GpuFields f(setup);
   const glm::ivec2 size(f.grid.width, f.grid.height);
   struct Wanted {
