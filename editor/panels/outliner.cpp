@@ -26,6 +26,19 @@ std::unordered_map<Id, std::vector<std::size_t>> leaving(const WindGraph& graph)
 
 }  // namespace
 
+template <class Thing>
+Outliner::Row Outliner::itemRow(const Thing& thing, const char* kind, const char* symbol) {
+  return {.kind = Row::Kind::Item,
+          .id = thing.id,
+          .depth = 0,
+          .symbol = symbol,
+          .label = named(thing.name, kind, thing.id),
+          .name = thing.name,
+          .hidden = thing.hidden,
+          .locked = thing.locked,
+          .members = {thing.id}};
+}
+
 bool Outliner::takeChanges(const Project& project) {
   if (project.graph == m_graph && project.obstacles == m_obstacles && project.probes == m_probes) return false;
   m_graph = project.graph;
@@ -69,16 +82,10 @@ void Outliner::addTrees(const Project& project) {
         tree.locked = tree.locked && arrow.locked;
         open.emplace_back(arrow.to, below);
         if (m_closed.contains(root)) continue;
-        m_rows.push_back({.kind = Row::Kind::Item,
-                          .id = arrow.id,
-                          .depth = depth,
-                          .symbol = icons::icon(icons::kArrow, "->"),
-                          .label = named(arrow.name, "Arrow", arrow.id),
-                          .name = arrow.name,
-                          .hidden = arrow.hidden,
-                          .muted = arrow.muted,
-                          .locked = arrow.locked,
-                          .members = {arrow.id}});
+        Row row = itemRow(arrow, "Arrow", icons::icon(icons::kArrow, "->"));
+        row.depth = depth;
+        row.muted = arrow.muted;
+        m_rows.push_back(std::move(row));
       }
     }
     m_rows[head] = std::move(tree);
@@ -91,29 +98,17 @@ void Outliner::rebuild(const Project& project) {
   heading("Wind trees");
   addTrees(project);
   if (!project.obstacles->empty()) heading("Obstacles");
-  for (const Obstacle& o : *project.obstacles)
-    m_rows.push_back({.kind = Row::Kind::Item,
-                      .id = o.id,
-                      .depth = 0,
-                      .symbol = icons::icon(icons::kObstacle, "o"),
-                      .label = named(o.name, "Obstacle", o.id),
-                      .name = o.name,
-                      .hidden = o.hidden,
-                      .muted = o.muted,
-                      .locked = o.locked,
-                      .members = {o.id}});
+  for (const Obstacle& o : *project.obstacles) {
+    Row row = itemRow(o, "Obstacle", icons::icon(icons::kObstacle, "o"));
+    row.muted = o.muted;
+    m_rows.push_back(std::move(row));
+  }
   if (!project.probes->empty()) heading("Probes");
-  for (const Probe& p : *project.probes)
-    m_rows.push_back({.kind = Row::Kind::Item,
-                      .id = p.id,
-                      .depth = 0,
-                      .symbol = icons::icon(icons::kProbe, "+"),
-                      .label = named(p.name, "Probe", p.id),
-                      .name = p.name,
-                      .hidden = p.hidden,
-                      .locked = p.locked,
-                      .canMute = false,
-                      .members = {p.id}});
+  for (const Probe& p : *project.probes) {
+    Row row = itemRow(p, "Probe", icons::icon(icons::kProbe, "+"));
+    row.canMute = false;
+    m_rows.push_back(std::move(row));
+  }
 }
 
 void Outliner::click(PanelContext& context, const Row& row) {

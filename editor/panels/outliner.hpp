@@ -27,6 +27,9 @@ class Outliner {
   };
   bool takeChanges(const Project& project);
   void rebuild(const Project& project);
+  /// A row for an arrow, obstacle or probe.
+  template <class Thing>
+  static Row itemRow(const Thing& thing, const char* kind, const char* symbol);
   void addTrees(const Project& project);
   void drawRow(PanelContext& context, const Row& row);
   void drawName(PanelContext& context, const Row& row, float width);

@@ -14,15 +14,13 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
-  std::string file, out, initial, resolution, solver;
+struct Options : CommonOptions, RunOptions {
+  std::string file, out, resolution;
   std::string preset = "generic";
   std::vector<std::string> formats;
-  double initialTime = 0;
   std::optional<double> from, seconds, fps, speedRange;
   std::optional<long> steps;
   bool loop = false;
-  int threads = 0;
 };
 
 constexpr double kDefaultSeconds = 2, kDefaultFps = 30;
@@ -196,23 +194,10 @@ VerbAction makeBakeVerb(CLI::App& app) {
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
       ->type_name("WxH");
   app.add_flag("--loop", options->loop, "Blend the end into the start, so that the recording repeats without a jump");
-  auto* initial =
-      app.add_option(
-             "--initial", options->initial,
-             "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier bake's last frame")
-          ->type_name("FILE.npy");
-  app.add_option("--initial-time", options->initialTime,
-                 "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6))
-      ->needs(initial);
+  addRunOptions(app, *options);
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
       ->check(CLI::Range(1e-3, 1e4));
-  addSolverOption(app, options->solver);
-  app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256));
   addCommonOptions(app, *options);
   std::string footer = "Formats, each listed with its checksum in manifest.json:\n";
   for (const WriterKind& kind : writerKinds())

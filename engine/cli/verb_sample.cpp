@@ -14,11 +14,10 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
-  std::string file, initial, solver;
+struct Options : CommonOptions, RunOptions {
+  std::string file;
   std::vector<std::string> at;
-  double time = 0, initialTime = 0;
-  int threads = 0;
+  double time = 0;
 };
 
 struct Place {
@@ -152,18 +151,7 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->type_name("T")
       ->check(CLI::Range(0.0, 1e6))
       ->required();
-  auto* initial = app.add_option("--initial", options->initial,
-                                 "Start from this wind instead: .npy, float32 [height, width, 2], m/s")
-                      ->type_name("FILE.npy");
-  app.add_option("--initial-time", options->initialTime,
-                 "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
-      ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6))
-      ->needs(initial);
-  addSolverOption(app, options->solver);
-  app.add_option("--threads", options->threads, "Threads of the CPU backend (default: all; results are the same)")
-      ->type_name("N")
-      ->check(CLI::Range(1, 256));
+  addRunOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Speeds in m/s. A direction is where the air goes to, in degrees from +X towards +Z.");
   return [options] { return sample(*options); };

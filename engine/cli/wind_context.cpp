@@ -53,6 +53,22 @@ void addSolverOption(CLI::App& app, std::string& name) {
       ->type_name("NAME");
 }
 
+void addRunOptions(CLI::App& app, RunOptions& options) {
+  auto* initial = app.add_option("--initial", options.initial,
+                                 "Start from this wind instead: .npy, float32 [height, width, 2] in m/s, or an earlier "
+                                 "bake's last frame")
+                      ->type_name("FILE.npy");
+  app.add_option("--initial-time", options.initialTime,
+                 "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6))
+      ->needs(initial);
+  addSolverOption(app, options.solver);
+  app.add_option("--threads", options.threads, "Threads of the CPU backend (default: all; results are the same)")
+      ->type_name("N")
+      ->check(CLI::Range(1, 256));
+}
+
 Status useSolver(Project& project, const std::string& name) {
   if (name.empty()) return Done{};
   for (const SolverPreset& preset : solverPresets()) {

@@ -31,6 +31,15 @@ Result<std::unique_ptr<Simulation>> makeSimulation(const Project& project, Backe
 /// "cpu" or "gpu".
 const char* backendName(Backend backend);
 
+/// How the verbs that simulate begin and run: --initial, --initial-time, --solver, --threads.
+struct RunOptions {
+  std::string initial;     ///< .npy of the wind to start from; empty: rest
+  double initialTime = 0;  ///< s: the moment it holds
+  std::string solver;      ///< preset; empty: the project's settings
+  int threads = 0;         ///< 0: all
+};
+void addRunOptions(CLI::App& app, RunOptions& options);
+
 /// Adds --solver NAME, a solver preset by name.
 void addSolverOption(CLI::App& app, std::string& name);
 

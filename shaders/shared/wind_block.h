@@ -135,7 +135,6 @@ struct WindControl {
   float wanted;                   // mean square of the flux that ends the solve
   float flux;                     // mean square of the residual after the last cycle
   uint cycles;                    // done this step
-  uint converged;                 // 0 or 1
   uint nonFinite;                 // cells reset since the start
   uint firstNonFinite;            // k * width + i; 0xffffffff: none
   float maxFluxBefore;            // m^2/s
@@ -146,7 +145,7 @@ struct WindControl {
   float alpha, beta;              // how far to go along p, and how much of the last p is taken off z
   float size;                     // A p . A p
   uint history;                   // WIND_HISTORY_*
-  uint paddingA, paddingB;
+  uint paddingA, paddingB, paddingC;
   uint groups[WIND_COMMANDS * 4]; // indirect dispatches: x, y, z of each command
 };
 

@@ -28,6 +28,5 @@ void main() {
   control.flux = max(total[3] - alpha * total[0], 0.0) * wind.perAir;
   control.cycles += 1u;
   if (useful && control.flux > control.wanted) return;
-  control.converged = 1u;
   setDispatches(false, false);
 }

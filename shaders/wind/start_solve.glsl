@@ -20,7 +20,6 @@ void startSolve() {
   float speedSquare = total[2] * wind.perCell;
   control.wanted = max(wind.tolerance * wind.tolerance * control.fluxBefore, floorFlux * floorFlux * speedSquare);
   control.cycles = 0u;
-  control.converged = 0u;
   bool useless = control.history != WIND_HISTORY_NONE && !(control.fluxStart <= control.fluxBefore);
   bool again = useless && wind.mayDrop != 0;
   if (useless) control.history = again ? WIND_HISTORY_NONE : WIND_HISTORY_BAD;
