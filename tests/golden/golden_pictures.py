@@ -24,6 +24,7 @@ PICTURES = [
     ("meadow-hero", "meadow", ["--camera", "hero", "--time", "3"]),
     ("meadow-hill-arrows", "meadow", ["--camera", "hill", "--time", "5", "--overlay", "arrows"]),
     ("colliding-top-speed", "colliding-winds", ["--camera", "top", "--time", "3", "--overlay", "arrows,vectors,speed"]),
+    ("hills-hero", "hills", ["--camera", "hero", "--time", "3"]),
     ("canyon-hero", "canyon", ["--camera", "hero", "--time", "2"]),
 ]
 
