@@ -35,8 +35,9 @@ GroundLight groundLight(vec2 xz, float pixels) {
 
 vec3 groundNormal(vec2 xz) { return groundLight(xz, 0.0).normal; }
 
-// A hill's shadow has a wider edge than a stone's, as it falls from farther away.
-float softened(float shadowHeight) { return 0.15 * shadowHeight; }
+// A hill's shadow has a wider edge than a stone's, as it falls from farther away. Even ground in the light hides the sun
+// up to just below itself, so nothing counts that isn't above 0.
+float softened(float shadowHeight) { return 0.3 * shadowHeight - 0.2; }
 
 // Light that a slope takes over what level ground takes, 1 where it is level. Grass stands upright, so its slope counts
 // less than bare ground's would.

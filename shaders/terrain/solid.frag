@@ -33,7 +33,7 @@ void main() {
   SolidsNear near = solidsNear(lit);
   float above = stoneWorld.y - groundHeight(lit);
   float shadow = near.distanceM > 0.1 ? smoothstep(-0.2, 0.2, above - near.shadowHeight) : 1.0;
-  shadow *= smoothstep(-0.8, 0.8, above - groundLight(lit, 0.0).shadowHeight);
+  shadow *= smoothstep(-0.5, 0.0, above - groundLight(lit, 0.0).shadowHeight);
   vec3 light = frame.sunColour.rgb * max(dot(n, frame.sunDirection.xyz), 0.0) * shadow;
   light += frame.skyColour.rgb * (0.55 + 0.45 * n.y) * mix(0.45, 1.0, foot);
   light += frame.sunColour.rgb * vec3(0.035, 0.045, 0.015) * (0.5 - 0.5 * n.y);

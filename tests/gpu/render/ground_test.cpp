@@ -1,6 +1,7 @@
 // Uneven ground in pictures: it lies where the camera's projection says, and grass stands on it.
 #include <cmath>
 
+#include "engine/grass/grass_layout.hpp"
 #include "shaders/shared/grass_block.h"
 #include "shaders/shared/render_bindings.h"
 #include "tests/gpu/gpu_test.hpp"
@@ -80,7 +81,8 @@ TEST_F(Ground, RidgesReachAsHighAsTheProjectionSays) {
 TEST_F(Ground, EdgesGoOnToTheHorizon) {
   const Picture flat = picture();
   m_project.terrain = terrainOf(heightsFrom({33, 33}, {8, 8}, [](glm::vec2) { return 0.0f; }));
-  EXPECT_LT(difference(picture(), flat), 1.0f) << "a small level patch at 0 looks like flat ground everywhere";
+  const Picture level = picture();
+  EXPECT_LT(difference(level, flat), 1.0f) << "a small level patch at 0 looks like flat ground everywhere";
   m_project.terrain = terrainOf(heightsFrom({33, 33}, {8, 8}, [](glm::vec2) { return 2.0f; }));
   m_input.camera.position.y += 2.0f;
   m_input.camera.target.y += 2.0f;
@@ -101,10 +103,20 @@ TEST_F(Ground, GrassStandsOnIt) {
   glGetNamedBufferSubData(static_cast<GLuint>(name), 0, sizeof commands, &commands);
   GLint bladesName = 0;
   glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, RENDER_SSBO_BLADES, &bladesName);
-  const unsigned count = commands.draws[1];  // of the first level, at the list's start
-  ASSERT_GT(count, 100u);
-  std::vector<shared::GrassBlade> blades(count);
-  glGetNamedBufferSubData(static_cast<GLuint>(bladesName), 0, static_cast<GLsizeiptr>(count * sizeof(shared::GrassBlade)), blades.data());
+  // The lists of the levels follow each other, each with room for so many.
+  const glm::uvec3 room = makeGrassLayout(*m_project.field, *m_project.grass).capacity;
+  std::vector<shared::GrassBlade> blades;
+  std::size_t start = 0;
+  for (int level = 0; level < 3; ++level) {
+    std::vector<shared::GrassBlade> list(commands.draws[static_cast<std::size_t>(level) * 4 + 1]);
+    const std::size_t size = sizeof(shared::GrassBlade);
+    if (!list.empty()) {
+      glGetNamedBufferSubData(static_cast<GLuint>(bladesName), static_cast<GLintptr>(start * size), static_cast<GLsizeiptr>(list.size() * size), list.data());
+    }
+    blades.insert(blades.end(), list.begin(), list.end());
+    start += room[level];
+  }
+  ASSERT_GT(blades.size(), 1000u);
   float lowest = 100, highest = -100;
   for (const shared::GrassBlade& blade : blades) {
     const float part = static_cast<float>(blade.facing >> 16) / 65535.0f;
