@@ -27,8 +27,9 @@ bool beginBox(const char* title, const char* fact) {
   return shown;
 }
 
-/// A row of buttons; the index of the chosen one, -1: none yet. Enter takes the first, Esc the last.
-int buttonRow(std::initializer_list<const char*> labels) {
+/// A row of buttons; the index of the chosen one, -1: none yet. Enter takes the first, Esc the last unless told
+/// otherwise.
+int buttonRow(std::initializer_list<const char*> labels, int onEscape = -1) {
   int chosen = -1, index = 0;
   ImGui::Spacing();
   for (const char* label : labels) {
@@ -41,7 +42,7 @@ int buttonRow(std::initializer_list<const char*> labels) {
     ++index;
   }
   if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) chosen = 0;
-  if (pressed(ImGuiKey_Escape)) chosen = index - 1;
+  if (pressed(ImGuiKey_Escape)) chosen = onEscape >= 0 ? onEscape : index - 1;
   if (chosen >= 0) ImGui::CloseCurrentPopup();
   return chosen;
 }
@@ -99,6 +100,14 @@ void Dialogs::drawOverwrite() {
   wrapped(m_workspace.flow.pendingPath().string() + " exists already.");
   const int chosen = buttonRow({"Replace", "Another name"});
   if (chosen >= 0) m_workspace.flow.answerOverwrite(chosen == 0);
+  ImGui::EndPopup();
+}
+
+void Dialogs::drawStopWork() {
+  if (!beginBox("Quit?", "stop work")) return;
+  wrapped(m_workspace.flow.workUnderWay() + " is still running. Quitting stops it; nothing of it is kept.");
+  const int chosen = buttonRow({"Keep running", "Stop and quit"}, 0);
+  if (chosen >= 0) m_workspace.flow.answerStopWork(chosen == 1);
   ImGui::EndPopup();
 }
 
@@ -176,6 +185,8 @@ void Dialogs::draw() {
       return drawSaveChanges();
     case Prompt::ConfirmOverwrite:
       return drawOverwrite();
+    case Prompt::StopWork:
+      return drawStopWork();
     case Prompt::ChooseOpenPath:
     case Prompt::ChooseSavePath:
     case Prompt::None:
