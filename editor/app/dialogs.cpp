@@ -117,8 +117,14 @@ void Dialogs::drawRescue() {
   wrapped("The editor ended without closing " +
           (rescue.original.empty() ? std::string("a project that was never saved") : rescue.original.string()) +
           ". Its work as of " + rescue.savedAt + " is still there.");
-  if (m_showChanges)
-    for (const std::string& line : m_rescueChanges) ImGui::BulletText("%s", line.c_str());
+  if (m_showChanges) {
+    std::string all;
+    for (const std::string& line : m_rescueChanges) {
+      ImGui::BulletText("%s", line.c_str());
+      all += line + "\n";
+    }
+    look().map.fact("dialog.text", all);
+  }
   bool handled = false;
   switch (buttonRow({"Restore", "Discard", m_showChanges ? "Later" : "Show what changed"})) {
     case 0:
