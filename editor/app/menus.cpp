@@ -67,8 +67,12 @@ constexpr ToolButton kTools[] = {
 };
 constexpr ToolButton kEdits[] = {{"edit.undo", icons::kUndo, "Undo"}, {"edit.redo", icons::kRedo, "Redo"}};
 constexpr ToolButton kOverlays[] = {{"overlay.arrows", icons::kArrow, "Arrows"},
+                                    {"overlay.streamlines", icons::kStreamlines, "Streamlines"},
                                     {"overlay.vectors", icons::kVectors, "Vectors"},
-                                    {"overlay.speed", icons::kSpeed, "Speed"}};
+                                    {"overlay.speed", icons::kSpeed, "Speed"},
+                                    {"overlay.divergence", icons::kDivergence, "Divergence"},
+                                    {"overlay.vorticity", icons::kVorticity, "Vorticity"},
+                                    {"overlay.lic", icons::kLic, "Streaks"}};
 
 void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
   const bool on = actions.checked(button.action);
@@ -131,7 +135,8 @@ void drawToolbar(Workspace& workspace) {
   const bool playing = actions.checked("play.toggle");
   toolButton(actions, {"play.toggle", playing ? icons::kPause : icons::kPlay, playing ? "Pause" : "Play"}, false);
   gap();
-  const bool roomy = ImGui::GetContentRegionAvail().x > scaled(320);
+  // With their names where there is room for all of them.
+  const bool roomy = ImGui::GetContentRegionAvail().x > scaled(840);
   for (const ToolButton& button : kOverlays) toolButton(actions, button, roomy);
 }
 
