@@ -84,7 +84,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.grass.prepare();
     drawScene(input);
     if (input.overlays.any()) {
-      const auto detail = quick(input) ? OverlayPass::Detail::Quick : OverlayPass::Detail::Full;
+      const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
       m_parts.overlays.draw(input, m_targets.scene(), detail, m_timer);
     }
     m_timer.stage("resolve");

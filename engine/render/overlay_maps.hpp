@@ -9,41 +9,45 @@
 
 namespace windloom {
 
+enum class OverlayDetail { Full, Quick };  ///< Quick: where every pixel is computed by the processor
+
 class MapPass {
  public:
   /// Fails with Machine.
   static Result<MapPass> create(gpu::ShaderLibrary& shaders);
 
-  /// What must come before the scene's targets are drawn on: the streaks of the line integral convolution, for every
-  /// `grain` pixels of the picture one, and only where wind, time or camera changed.
-  void prepare(const FrameInput& input, int grain);
-
-  /// Needs frame block, wind, noise and map of solids, and an empty vertex array bound; `state` with blending.
-  void draw(const FrameInput& input, gpu::PassState state, OverlayLift lift) const;
+  /// Needs frame block, wind, noise and map of solids, and an empty vertex array bound; `state` with blending. Streaks,
+  /// and in quick pictures every map, are drawn at a lower resolution first, and only where wind, time, camera or
+  /// settings changed.
+  void draw(const FrameInput& input, gpu::PassState state, OverlayLift lift, OverlayDetail detail);
 
  private:
-  /// All that the streaks depend on.
-  struct StreakKey {
+  /// All that a map drawn at a lower resolution depends on.
+  struct Key {
+    GroundMap map = GroundMap::None;
     unsigned wind = 0;
     GridMapping grid{};
     double time = -1;
     ViewCamera camera;
     glm::ivec2 size{0}, target{0};
-    float range = 0;
+    glm::vec3 ranges{0.0f};
     Shared<FieldSettings> field;
     Shared<AmbientWind> ambient;
     Shared<std::vector<Obstacle>> obstacles;
-    bool operator==(const StreakKey& other) const;
+    bool operator==(const Key& other) const;
   };
-  static void drawMesh(const gpu::Program& program, const GroundArea& area, OverlayLift lift);
+  [[nodiscard]] const gpu::Program& program(GroundMap map) const;
+  bool fitTarget(glm::ivec2 size);
+  bool drawSmall(const FrameInput& input, const GroundArea& area, int grain, int columns);
+  static void drawMesh(const gpu::Program& program, const GroundArea& area, OverlayLift lift, int columns);
 
   gpu::Program* m_speed = nullptr;
   gpu::Program* m_divergence = nullptr;
   gpu::Program* m_vorticity = nullptr;
-  gpu::Program* m_streaks = nullptr;
   gpu::Program* m_lic = nullptr;
-  gpu::Framebuffer m_streakTarget;
-  StreakKey m_key;
+  gpu::Program* m_picture = nullptr;
+  gpu::Framebuffer m_target;
+  Key m_key;
 };
 
 }  // namespace windloom

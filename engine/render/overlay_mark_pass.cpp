@@ -69,6 +69,7 @@ void MarkPass::upload(const FrameInput& input) {
 
 void MarkPass::draw(const FrameInput& input, gpu::PassState state, OverlayLift lift) {
   upload(input);
+  m_arrow->set("onMap", input.overlays.map == GroundMap::None ? 0.0f : 1.0f);
   if (m_levels.count > 0) m_levels.buffer.bindStorage(RENDER_SSBO_LEVELS);
   state.depth = gpu::Depth::Test;
   drawAreas(state, lift);

@@ -8,7 +8,6 @@ namespace {
 constexpr float kTips = 0.8f;        // of the grass height: most blades end there
 constexpr float kLeadHeights = 1.5f; // of the grass height
 constexpr float kLeastLead = 0.25f;  // m
-constexpr int kFullGrain = 2, kQuickGrain = 3;  // pixels a streak is wide
 
 const char* stageOf(GroundMap map) {
   switch (map) {
@@ -44,7 +43,7 @@ Result<OverlayPass> OverlayPass::create(gpu::ShaderLibrary& shaders) {
   return OverlayPass(std::move(*marks), std::move(*flow), std::move(*maps));
 }
 
-void OverlayPass::draw(const FrameInput& input, unsigned framebuffer, Detail detail, gpu::GpuTimer& timer) {
+void OverlayPass::draw(const FrameInput& input, unsigned framebuffer, OverlayDetail detail, gpu::GpuTimer& timer) {
   const gpu::DebugGroup group("overlays");
   const Overlays& overlays = input.overlays;
   m_noVertices.bind();
@@ -54,8 +53,7 @@ void OverlayPass::draw(const FrameInput& input, unsigned framebuffer, Detail det
       .framebuffer = framebuffer, .viewport = {0, 0, input.size.x, input.size.y}, .blend = gpu::Blend::Premultiplied};
   if (overlays.map != GroundMap::None) {
     timer.stage(stageOf(overlays.map));
-    m_maps.prepare(input, detail == Detail::Full ? kFullGrain : kQuickGrain);
-    m_maps.draw(input, state, lift);
+    m_maps.draw(input, state, lift, detail);
   }
   if (overlays.streamlines) {
     timer.stage("overlay streamlines");

@@ -14,11 +14,9 @@ class OverlayPass {
   /// Fails with Machine.
   static Result<OverlayPass> create(gpu::ShaderLibrary& shaders);
 
-  enum class Detail { Full, Quick };  ///< Quick: where every pixel is computed by the processor
-
   /// Draws over the scene in `framebuffer`, which holds its depth, too. Frame block, wind, noise and the map of solids
   /// must be bound. What stone or hills hide stays faintly visible of marks. A stage of `timer` for each kind.
-  void draw(const FrameInput& input, unsigned framebuffer, Detail detail, gpu::GpuTimer& timer);
+  void draw(const FrameInput& input, unsigned framebuffer, OverlayDetail detail, gpu::GpuTimer& timer);
 
  private:
   OverlayPass(MarkPass marks, FlowPass flow, MapPass maps);

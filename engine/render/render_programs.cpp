@@ -16,7 +16,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"field/divergence map", {"field/map.vert", "field/gradient_map.frag"}},
     {"field/vorticity map", {"field/map.vert", "field/gradient_map.frag"}, "VORTICITY"},
     {"field/lic", {"field/map.vert", "field/lic.frag"}},
-    {"field/lic map", {"field/map.vert", "field/lic_map.frag"}},
+    {"field/map picture", {"field/map.vert", "field/map_picture.frag"}},
     {"field/trace streamlines", {"field/streamlines.comp"}},
     {"field/streamlines", {"field/streamlines.vert", "field/streamlines.frag"}},
     {"field/vectors", {"field/vectors.vert", "field/vectors.frag"}},

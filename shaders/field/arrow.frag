@@ -12,6 +12,7 @@ flat in vec4 arrowSizes;
 layout(std430, binding = RENDER_SSBO_LEVELS) readonly buffer Levels { float levels[]; };
 uniform float visible;  // alpha of this pass
 uniform float seam;
+uniform float onMap;    // 1 where a map lies under the arrows
 
 layout(location = 0) out vec4 colour;
 
@@ -38,8 +39,9 @@ void main() {
   vec3 own = mix(speedColourAt(part), vec3(0.45), 0.85 * muted);
   float alpha = visible * mix(1.0, 0.55, muted);
   if (seam > 0.0) {
-    // Dark colours get a light seam, so that they don't drown on dark ground.
-    vec3 plain = mix(vec3(0.93), vec3(0.04, 0.05, 0.06), smoothstep(0.20, 0.32, dot(own, vec3(0.3, 0.6, 0.1))));
+    // Dark colours get a light seam, so that they don't drown on dark ground, and so do all on a map of like colours.
+    float dark = smoothstep(0.20, 0.32, dot(own, vec3(0.3, 0.6, 0.1))) * (1.0 - onMap);
+    vec3 plain = mix(vec3(0.95), vec3(0.04, 0.05, 0.06), dark);
     vec3 shown = state == MARK_SELECTED ? vec3(1.0) : state == MARK_HOVERED ? kHoverColour : plain;
     alpha *= state == MARK_NORMAL ? 0.8 : 1.0;
     colour = vec4(shown * alpha, alpha);

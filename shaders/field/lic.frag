@@ -1,6 +1,6 @@
 #version 450 core
 // Line integral convolution: noise smeared along the wind, so that streaks lie along it; a ripple in the kernel
-// moves them downstream.
+// moves them downstream. Coloured by speed.
 // Cabral, Leedom, "Imaging Vector Fields Using Line Integral Convolution", 1993 (with its periodic motion filter).
 // Deviations: steps grow with the speed, so that fast air has longer, faster streaks; the noise lies in the world
 // at two scales around a pixel's footprint, so that it stands still while the camera moves.
@@ -13,10 +13,11 @@
 
 in vec2 mapWorld;
 uniform float grain;  // pixels of the picture that one pixel here covers
-layout(location = 0) out vec4 streaks;
+layout(location = 0) out vec4 colour;
 
-const int kSteps = 10;             // each way
-const float kLongestStep = 2.1;    // pixels here, at the top of the speed range
+const int kSteps = 15;            // each way
+// Pixels here, at the top of the speed range; longer steps pass over cells of the noise, and streaks fall to dots.
+const float kLongestStep = 0.85;
 const float kRate = 0.85;          // ripples a second
 const float kPi = 3.14159265;
 
@@ -25,7 +26,8 @@ float cellNoise(vec2 world, float size) {
   return hashToUnit(pcgHash(uint(cell.x) * 0x9e3779b1u ^ pcgHash(uint(cell.y))));
 }
 
-void main() {
+// About -0.5 to 0.5.
+float streakAt() {
   vec3 place = overGround(mapWorld, 0.0);
   float slant = clamp(abs(directionToCamera(place).y), 0.04, 1.0);
   float footprint = grain / (pixelsPerMetre(place) * sqrt(slant));
@@ -52,5 +54,17 @@ void main() {
   }
   // Blended noise varies less, and so does the mean of many values: brought back to one contrast.
   float spread = 0.289 * sqrt(squares) / weights * sqrt(blend * blend + (1.0 - blend) * (1.0 - blend));
-  streaks = vec4(0.5 + 0.2 * (sum / weights - 0.5) / spread, 0.0, 0.0, 1.0);
+  // Near the horizon streaks are too thin to be seen apart.
+  return 0.2 * (sum / weights - 0.5) / spread * smoothstep(0.04, 0.12, slant);
+}
+
+void main() {
+  float part = length(smoothWind(mapWorld)) / frame.pixelScale.z;
+  // Where the air rests there is nothing to see.
+  float moves = smoothstep(0.004, 0.05, part);
+  float streak = clamp(streakAt(), -0.5, 0.5) * moves;
+  vec3 own = speedColourAt(part);
+  vec3 shown = streak < 0.0 ? own * (1.0 + 1.5 * streak) : mix(own, vec3(1.0), 1.15 * streak);
+  float alpha = 0.82 * moves * smoothstep(-0.05, 0.1, solidsNear(mapWorld).distanceM);
+  colour = vec4(shown * alpha, alpha);
 }
