@@ -1,6 +1,7 @@
 #include "editor/app/menus.hpp"
 
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "editor/widgets/icons.hpp"
@@ -98,6 +99,23 @@ void gap() {
   ImGui::SameLine(0, 0);
 }
 
+/// In place of buttons that would not fit.
+void overlayMenu(ActionTable& actions) {
+  const bool pressed = ImGui::Button("Overlays");
+  markItem("toolbar/overlays");
+  if (pressed) ImGui::OpenPopup("overlays");
+  if (!ImGui::BeginPopup("overlays")) return;
+  for (const ToolButton& button : kOverlays) actionItem(actions, *actions.find(button.action));
+  ImGui::EndPopup();
+}
+
+/// With their names where there is room for all of them.
+void drawOverlayButtons(ActionTable& actions) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (room < scaled(35) * float(std::size(kOverlays))) return overlayMenu(actions);
+  for (const ToolButton& button : kOverlays) toolButton(actions, button, room > scaled(700));
+}
+
 }  // namespace
 
 void drawMenuBar(Workspace& workspace) {
@@ -135,9 +153,7 @@ void drawToolbar(Workspace& workspace) {
   const bool playing = actions.checked("play.toggle");
   toolButton(actions, {"play.toggle", playing ? icons::kPause : icons::kPlay, playing ? "Pause" : "Play"}, false);
   gap();
-  // With their names where there is room for all of them.
-  const bool roomy = ImGui::GetContentRegionAvail().x > scaled(840);
-  for (const ToolButton& button : kOverlays) toolButton(actions, button, roomy);
+  drawOverlayButtons(actions);
 }
 
 }  // namespace windloom::editor

@@ -9,7 +9,7 @@ namespace windloom::editor {
 /// Sizes in px at 100%, shared with what draws the instruments.
 inline constexpr float kLegendWidth = 92, kLegendGap = 8, kInstrumentMargin = 12;
 inline constexpr float kScaleBarRoom = 168, kScaleBarHeight = 44;  ///< bottom left, margins included
-inline constexpr float kAxisSignRoom = 110;                       ///< square at the top right, margins included
+inline constexpr float kAxisSignRoom = 110;                        ///< square at the top right, margins included
 inline constexpr float kLongestLegendBar = 110, kShortestLegendBar = 50;
 
 struct LegendBox {

@@ -116,13 +116,15 @@ std::vector<Legend> legendsOf(Overlays& overlays) {
   const Overlays home;
   std::vector<Legend> legends;
   if (overlays.map == GroundMap::Divergence)
-    legends.push_back({"divergence", "Divergence", "1/s",
-                       "Divergence at both ends of the colours: air spreads where it is orange and gathers where it is blue.",
-                       &overlays.divergenceRange, home.divergenceRange, 0.1f, true});
+    legends.push_back(
+        {"divergence", "Divergence", "1/s",
+         "Divergence at both ends of the colours: air spreads where it is orange and gathers where it is blue.",
+         &overlays.divergenceRange, home.divergenceRange, 0.1f, true});
   if (overlays.map == GroundMap::Vorticity)
-    legends.push_back({"vorticity", "Vorticity", "1/s",
-                       "Vorticity at both ends of the colours: twice the rate at which the air turns, orange from +X towards +Z.",
-                       &overlays.vorticityRange, home.vorticityRange, 0.1f, true});
+    legends.push_back(
+        {"vorticity", "Vorticity", "1/s",
+         "Vorticity at both ends of the colours: twice the rate at which the air turns, orange from +X towards +Z.",
+         &overlays.vorticityRange, home.vorticityRange, 0.1f, true});
   const bool speed = overlays.arrows || overlays.vectors || overlays.streamlines || overlays.map == GroundMap::Speed ||
                      overlays.map == GroundMap::Lic;
   if (speed)
@@ -168,8 +170,7 @@ bool drawLegend(const Legend& legend, ImVec2 min, ImVec2 max, float bar) {
                                       {legend.unit, kLeastRange, kGreatestRange, double(legend.step), false});
   if (edit.changed) *legend.range = std::clamp(float(edit.value), float(kLeastRange), float(kGreatestRange));
   if (edit.reset) *legend.range = legend.home;
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("%s Drag, or click and type; right click resets.", legend.help);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s Drag, or click and type; right click resets.", legend.help);
   legendBar(legend, {min.x + scaled(10), max.y - bar - scaled(10)}, bar);
   look().map.rectangle(name, min, max);
   return ImGui::IsMouseHoveringRect(min, max);
@@ -180,8 +181,8 @@ bool drawLegend(const Legend& legend, ImVec2 min, ImVec2 max, float bar) {
 bool colourLegends(const ViewArea& area, Overlays& overlays) {
   const std::vector<Legend> legends = legendsOf(overlays);
   const float fixedHeight = look().small->FontSize + ImGui::GetFrameHeight() + scaled(28);
-  const std::vector<LegendBox> boxes = layoutLegends({area.max.x - area.min.x, area.max.y - area.min.y}, look().scale,
-                                                     fixedHeight, int(legends.size()));
+  const std::vector<LegendBox> boxes =
+      layoutLegends({area.max.x - area.min.x, area.max.y - area.min.y}, look().scale, fixedHeight, int(legends.size()));
   bool over = false;
   for (std::size_t i = 0; i < boxes.size(); ++i)
     over |= drawLegend(legends[i], area.at(boxes[i].min), area.at(boxes[i].max), boxes[i].bar);

@@ -15,7 +15,9 @@ constexpr int kVectorVertices = 9;
 constexpr float kVectorPixels = 22.0f, kLinePixels = 21.0f;  // least distance of seeds in a picture 500 pixels high
 
 /// As pixelUnit() of shaders/include/overlay.glsl.
-float pixelUnit(glm::ivec2 size) { return std::clamp(static_cast<float>(size.y) / 500.0f, 0.5f, 2.0f); }
+float pixelUnit(glm::ivec2 size) {
+  return std::clamp(static_cast<float>(size.y) / 500.0f, 0.5f, 2.0f);
+}
 
 }  // namespace
 

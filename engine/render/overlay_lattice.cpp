@@ -8,9 +8,9 @@
 namespace windloom {
 namespace {
 
-constexpr int kFinest = -5, kCoarsest = 9;   // exponents of two, m
-constexpr std::size_t kMostSeeds = 8192;     // about three times what a 4K picture holds
-constexpr float kMargin = 1.15f;             // of the picture, for marks that reach in
+constexpr int kFinest = -5, kCoarsest = 9;  // exponents of two, m
+constexpr std::size_t kMostSeeds = 8192;    // about three times what a 4K picture holds
+constexpr float kMargin = 1.15f;            // of the picture, for marks that reach in
 constexpr float kLeastSlant = 0.15f;
 
 /// Where a ray through the picture meets the ground, or the field's height far away along it.

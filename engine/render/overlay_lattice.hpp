@@ -21,6 +21,7 @@ GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettin
 
 /// Seeds in the picture, on square lattices of 2^k m: each lattice where it measures `pixels` to 2.5 x `pixels` in
 /// the picture, blended at both ends of that range, so that nothing appears or goes at once. Same camera, same seeds.
-std::vector<FlowSeed> makeFlowSeeds(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field, float pixels);
+std::vector<FlowSeed> makeFlowSeeds(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field,
+                                    float pixels);
 
 }  // namespace windloom

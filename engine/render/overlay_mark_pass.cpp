@@ -11,14 +11,14 @@
 namespace windloom {
 namespace {
 
-constexpr float kHiddenAlpha = 0.38f;    // of marks behind stone and hills
-constexpr int kSegmentVertices = 12;     // as in shaders/field/arrow.vert
+constexpr float kHiddenAlpha = 0.38f;  // of marks behind stone and hills
+constexpr int kSegmentVertices = 12;   // as in shaders/field/arrow.vert
 constexpr int kHeadVertices = 12;
-constexpr int kPointVertices = 12;       // disc and mast
-constexpr int kOutlineVertices = 66;     // strip of 32 sectors
+constexpr int kPointVertices = 12;              // disc and mast
+constexpr int kOutlineVertices = 66;            // strip of 32 sectors
 constexpr std::size_t kMostSegments = 120'000;  // of all arrows together; one alone has kSegments
 constexpr std::size_t kSegments = 24;
-constexpr float kSeamPixels = 1.3f, kMarkedSeamPixels = 2.6f;
+constexpr float kSeamPixels = 1.3f, kSeamOnMapPixels = 2.2f, kMarkedSeamPixels = 2.8f;
 
 template <class T>
 void uploadTo(std::string_view label, std::span<const T> values, gpu::Buffer& buffer, std::size_t& count) {
@@ -69,7 +69,8 @@ void MarkPass::upload(const FrameInput& input) {
 
 void MarkPass::draw(const FrameInput& input, gpu::PassState state, OverlayLift lift) {
   upload(input);
-  m_arrow->set("onMap", input.overlays.map == GroundMap::None ? 0.0f : 1.0f);
+  m_onMap = input.overlays.map != GroundMap::None;
+  m_arrow->set("onMap", m_onMap ? 1.0f : 0.0f);
   if (m_levels.count > 0) m_levels.buffer.bindStorage(RENDER_SSBO_LEVELS);
   state.depth = gpu::Depth::Test;
   drawAreas(state, lift);
@@ -102,7 +103,7 @@ void MarkPass::drawArrows(const gpu::PassState& state, OverlayLift lift, float v
   m_arrow->use();
   m_arrow->set("segments", segments);
   // All seams before all arrows: where arrows meet, none cuts through another.
-  for (const float seam : {kSeamPixels, 0.0f}) {
+  for (const float seam : {m_onMap ? kSeamOnMapPixels : kSeamPixels, 0.0f}) {
     m_arrow->set("seam", seam);
     m_arrow->set("markedSeam", kMarkedSeamPixels);
     drawSet(*m_arrow, m_arrows, lift, GL_TRIANGLES, vertices, visible);

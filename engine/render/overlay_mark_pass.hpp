@@ -39,6 +39,7 @@ class MarkPass {
   gpu::Program* m_point = nullptr;
   gpu::Program* m_outline = nullptr;
   MarkCache m_cache;
+  bool m_onMap = false;
   Marks m_arrows, m_points, m_outlines, m_levels;
 };
 

@@ -17,7 +17,9 @@ constexpr OverlayKind kKinds[] = {
 
 }  // namespace
 
-std::span<const OverlayKind> overlayKinds() { return kKinds; }
+std::span<const OverlayKind> overlayKinds() {
+  return kKinds;
+}
 
 const OverlayKind* findOverlay(std::string_view name) {
   const auto* kind = std::ranges::find(kKinds, name, &OverlayKind::name);

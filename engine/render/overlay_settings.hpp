@@ -32,9 +32,9 @@ struct Overlays {
 
 /// One overlay by name: for the command line, menus, keys and preferences.
 struct OverlayKind {
-  std::string_view name;             ///< "streamlines"
-  bool Overlays::*mark = nullptr;    ///< a mark's switch; null for a map
-  GroundMap map = GroundMap::None;   ///< a map
+  std::string_view name;            ///< "streamlines"
+  bool Overlays::*mark = nullptr;   ///< a mark's switch; null for a map
+  GroundMap map = GroundMap::None;  ///< a map
 };
 
 std::span<const OverlayKind> overlayKinds();

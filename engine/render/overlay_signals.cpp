@@ -9,9 +9,9 @@
 namespace windloom {
 namespace {
 
-constexpr double kFinestStep = 0.04;           // s: shorter than any attack one sees
-constexpr std::size_t kFewEntries = 4096;      // that every graph may have
-constexpr std::size_t kEntriesPerArrow = 4;    // and beyond those
+constexpr double kFinestStep = 0.04;         // s: shorter than any attack one sees
+constexpr std::size_t kFewEntries = 4096;    // that every graph may have
+constexpr std::size_t kEntriesPerArrow = 4;  // and beyond those
 constexpr std::uint32_t kNoTrack = 0xffffffffu;
 // The table begins with two entries of 0 and two of 1, for arrows that no signal reaches and for no signals at all.
 constexpr float kSilent = 0.0f, kFull = 2.0f;

@@ -51,7 +51,7 @@ void main() {
   float level = signalLevel() * (1.0 - muted);
   float light = 0.74 + 0.32 * max(dot(normalize(arrowNormal), normalize(vec3(-0.35, 0.8, -0.5))), 0.0);
   // Where the signal is out the colour pales to a shadow of itself but keeps its hue.
-  vec3 calm = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1))), 0.35) * 0.62;
+  vec3 calm = mix(base, vec3(dot(base, vec3(0.3, 0.6, 0.1))), 0.35) * mix(0.62, 0.88, onMap);
   vec3 shown = mix(calm, base, level) * light;
   shown = mix(shown, vec3(1.0), chevrons() * (0.10 + 0.38 * level) * (1.0 - muted));
   colour = vec4(min(shown, vec3(1.0)) * alpha, alpha);

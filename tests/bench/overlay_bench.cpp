@@ -142,7 +142,8 @@ void Frame(benchmark::State& state, const std::string& name) {
 }  // namespace windloom
 
 int main(int argc, char** argv) {
-  for (const std::string name : {"none", "arrows", "vectors", "streamlines", "speed", "divergence", "vorticity", "lic"}) {
+  for (const std::string name :
+       {"none", "arrows", "vectors", "streamlines", "speed", "divergence", "vorticity", "lic"}) {
     benchmark::RegisterBenchmark(("Frame/" + name).c_str(),
                                  [name](benchmark::State& state) { windloom::Frame(state, name); })
         ->Unit(benchmark::kMillisecond)

@@ -64,7 +64,8 @@ class Overlay : public testing::GpuTest {
     ASSERT_TRUE(texture.ok());
     std::vector<glm::vec2> values;
     for (int k = 0; k < kCells; ++k) {
-      for (int i = 0; i < kCells; ++i) values.push_back(wind((glm::vec2(i, k) + 0.5f) * (kField / kCells) - 0.5f * kField));
+      for (int i = 0; i < kCells; ++i)
+        values.push_back(wind((glm::vec2(i, k) + 0.5f) * (kField / kCells) - 0.5f * kField));
     }
     texture->upload(GL_RG, GL_FLOAT, values.data());
     m_wind = std::move(*texture);

@@ -26,7 +26,8 @@ TEST(FlowSeeds, AreAboutEquallyDenseAtEveryZoom) {
     camera.orthographicHeight = height;
     const double seeds = weightOf(makeFlowSeeds(camera, kSize, {}, kPixels));
     // Up to 92 m of field are seen across: the picture's share that is field.
-    const double across = std::min(1280.0 / 720.0 * static_cast<double>(height), 100.0) * 720.0 / static_cast<double>(height);
+    const double across =
+        std::min(1280.0 / 720.0 * static_cast<double>(height), 100.0) * 720.0 / static_cast<double>(height);
     const double share = seeds * 30.0 * 30.0 / (across * 720.0);
     EXPECT_GT(share, 0.15) << height;
     EXPECT_LT(share, 0.9) << height;

@@ -7,7 +7,9 @@
 namespace windloom {
 namespace {
 
-Result<Overlays> named(std::vector<std::string> names) { return overlaysByName(names); }
+Result<Overlays> named(std::vector<std::string> names) {
+  return overlaysByName(names);
+}
 
 TEST(OverlayNames, SwitchOnWhatIsNamedAndNothingElse) {
   const Result<Overlays> overlays = named({"streamlines", "lic"});
