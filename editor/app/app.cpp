@@ -27,6 +27,11 @@ std::filesystem::path userFolder(const char* variable, const char* fallback) {
   return std::filesystem::path(home ? home : ".") / fallback / "windloom";
 }
 
+constexpr std::pair<const char*, float Overlays::*> kOverlayRanges[] = {
+    {"overlay.speedRange", &Overlays::speedRange},
+    {"overlay.divergenceRange", &Overlays::divergenceRange},
+    {"overlay.vorticityRange", &Overlays::vorticityRange}};
+
 /// Shortcuts of files work while a field is typed into, too.
 bool leavesField(const InputEvent& event, Key key) {
   const bool file = key == Key::S || key == Key::N || key == Key::O || key == Key::Q;
@@ -111,9 +116,19 @@ void App::readPreferences() {
   m_layout.bottom = float(preferences.number("layout.bottom", double(m_layout.bottom)));
   m_layout.timeline = float(preferences.number("layout.timeline", double(m_layout.timeline)));
   m_live->setLiveGrid(preferences.number("play.fullGrid", 0) != 0 ? LiveGrid::Full : LiveGrid::Automatic);
-  m_viewport.overlays.arrows = preferences.number("overlay.arrows", 1) != 0;
-  m_viewport.overlays.vectors = preferences.number("overlay.vectors", 0) != 0;
-  m_viewport.overlays.speed = preferences.number("overlay.speed", 0) != 0;
+  readOverlays();
+}
+
+void App::readOverlays() {
+  const Preferences& preferences = m_workspace.preferences;
+  Overlays& overlays = m_viewport.overlays;
+  for (const OverlayKind& kind : overlayKinds()) {
+    setOn(overlays, kind, preferences.number("overlay." + std::string(kind.name), isOn(overlays, kind)) != 0);
+  }
+  for (const auto& [name, range] : kOverlayRanges) {
+    const double value = preferences.number(name, double(overlays.*range));
+    if (value >= kLeastRange && value <= kGreatestRange) overlays.*range = float(value);
+  }
 }
 
 void App::writePreferences() {
@@ -124,9 +139,10 @@ void App::writePreferences() {
   numbers["layout.bottom"] = double(m_layout.bottom);
   numbers["layout.timeline"] = double(m_layout.timeline);
   numbers["play.fullGrid"] = m_live->liveGrid() == LiveGrid::Full;
-  numbers["overlay.arrows"] = m_viewport.overlays.arrows;
-  numbers["overlay.vectors"] = m_viewport.overlays.vectors;
-  numbers["overlay.speed"] = m_viewport.overlays.speed;
+  for (const OverlayKind& kind : overlayKinds()) {
+    numbers["overlay." + std::string(kind.name)] = isOn(m_viewport.overlays, kind);
+  }
+  for (const auto& [name, range] : kOverlayRanges) numbers[name] = double(m_viewport.overlays.*range);
   numbers["window.maximised"] = m_window->maximised();
   if (!m_window->maximised() && !m_line.width) {
     numbers["window.width"] = m_window->size().x;
@@ -242,6 +258,13 @@ void App::tellMap() {
   map.fact("view", camera.orthographic && camera.pitch == 90 ? "top"
                    : camera.orthographic                     ? "orthographic"
                                                              : "perspective");
+  std::string overlays;
+  for (const OverlayKind& kind : overlayKinds()) {
+    if (!isOn(m_viewport.overlays, kind)) continue;
+    if (!overlays.empty()) overlays += ' ';
+    overlays += kind.name;
+  }
+  map.fact("overlays", overlays);
   map.fact("scene", m_live->session() ? "yes" : "no");
 }
 

@@ -45,6 +45,7 @@ class App {
   void registerSolverActions();
   void registerViewActions();
   void readPreferences();
+  void readOverlays();
   void writePreferences();
   void applyLook();
 

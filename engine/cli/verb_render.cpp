@@ -48,23 +48,6 @@ Error usage(const std::string& message) {
   return makeError(ErrorKind::Usage, message);
 }
 
-Result<Overlays> overlaysOf(const Options& options) {
-  Overlays overlays;
-  overlays.arrows = false;
-  for (const std::string& name : options.overlays) {
-    if (name == "none") continue;
-    if (name == "arrows")
-      overlays.arrows = true;
-    else if (name == "vectors")
-      overlays.vectors = true;
-    else if (name == "speed")
-      overlays.speed = true;
-    else
-      return usage("--overlay: found '" + name + "', expected arrows, vectors, speed or none");
-  }
-  return overlays;
-}
-
 Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
   const std::vector<Camera>& cameras = *project.cameras;
   if (options.camera.empty()) return cameras.empty() ? frameField(*project.field) : viewThrough(cameras.front());
@@ -181,7 +164,7 @@ int render(const Options& options) {
   const auto size = parsePair(options.size, kMaxSide);
   if (!size)
     return reportError(usage("--size: found '" + options.size + "', expected WxH of 8 to 16384 pixels"), options);
-  const Result<Overlays> overlays = overlaysOf(options);
+  const Result<Overlays> overlays = overlaysByName(options.overlays);
   if (!overlays) return reportError(overlays.error(), options);
   const Result<Project> project = projectOf(options);
   if (!project) return reportError(project.error(), options);
@@ -230,7 +213,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_option("--camera", options->camera,
                  "Camera of the project, or above (default: the first, else one that shows the field)")
       ->type_name("NAME");
-  app.add_option("--overlay", options->overlays, "arrows, vectors, speed; none (the default)")
+  app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
       ->type_name("NAME[,NAME]")
       ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
