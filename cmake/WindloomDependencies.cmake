@@ -31,6 +31,18 @@ if(NOT TARGET PNG::PNG)
   message(FATAL_ERROR "libpng with its headers is needed (Debian: libpng-dev)")
 endif()
 
+find_package(TinyGLTF QUIET)
+if(TARGET TinyGLTF::TinyGLTF)
+  # An imported target can only be aliased where it is seen everywhere.
+  set_target_properties(TinyGLTF::TinyGLTF PROPERTIES IMPORTED_GLOBAL TRUE)
+  add_library(windloom_tinygltf ALIAS TinyGLTF::TinyGLTF)
+else()
+  set(TINYGLTF_BUILD_LOADER_EXAMPLE OFF CACHE BOOL "" FORCE)
+  set(TINYGLTF_INSTALL OFF CACHE BOOL "" FORCE)
+  windloom_fetch(tinygltf https://github.com/syoyo/tinygltf.git v2.7.0)
+  add_library(windloom_tinygltf ALIAS tinygltf)
+endif()
+
 pkg_check_modules(EPOXY QUIET IMPORTED_TARGET epoxy)
 if(NOT TARGET PkgConfig::EPOXY)
   message(FATAL_ERROR "libepoxy with its headers is needed (Debian: libepoxy-dev)")

@@ -2,7 +2,7 @@
 # installation.
 
 build_packages="g++ cmake ninja-build ccache pkg-config git
-  libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libhwy-dev libepoxy-dev
+  libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libtinygltf-dev libhwy-dev libepoxy-dev
   libglfw3-dev libimgui-dev fonts-inter fonts-fork-awesome
   libegl1 libgl1 libgl1-mesa-dri"
 

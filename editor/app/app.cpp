@@ -15,6 +15,7 @@
 #include "editor/widgets/number_field.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/io/terrain_file.hpp"
 
 namespace windloom::editor {
 
@@ -235,7 +236,11 @@ void App::runAfterFields() {
 void App::openDropped() {
   for (const std::filesystem::path& path : m_window->takeDrops()) {
     if (path.string().ends_with(".json")) return m_workspace.flow.requestOpen(path);
-    m_workspace.say(MessageKind::Warning, path.filename().string() + ": drop a project, NAME.wind.json");
+    if (terrainKindOf(path)) {
+      m_workspace.loadTerrain(path);
+      continue;
+    }
+    m_workspace.say(MessageKind::Warning, path.filename().string() + ": drop a project (NAME.wind.json), or terrain (.png, .glb, .gltf)");
   }
 }
 
@@ -265,6 +270,7 @@ void App::tellMap() {
     overlays += kind.name;
   }
   map.fact("overlays", overlays);
+  map.fact("terrain", document.project().terrain->heights ? document.project().terrain->file : "flat");
   map.fact("scene", m_live->session() ? "yes" : "no");
 }
 

@@ -11,7 +11,9 @@
 #include <system_error>
 
 #include "engine/core/file.hpp"
+#include "engine/core/log.hpp"
 #include "engine/io/project_json.hpp"
+#include "engine/io/terrain_file.hpp"
 
 namespace windloom::editor {
 namespace fs = std::filesystem;
@@ -210,6 +212,9 @@ Status restoreRescue(Document& document, const Rescue& rescue) {
   if (!file) return file.error();
   Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
   if (!loaded) return loaded.error();
+  if (!rescue.original.empty()) {
+    if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain) logWarning(terrain.error().text());
+  }
   document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
   return Done{};
 }

@@ -2,6 +2,7 @@
 
 #include "engine/core/log.hpp"
 #include "engine/io/project_json.hpp"
+#include "engine/io/terrain_copy.hpp"
 
 namespace windloom::editor {
 
@@ -76,6 +77,7 @@ std::string Document::title() const {
 void Document::startNew(Project start) {
   endPreview();
   m_history = History(std::move(start));
+  m_missing.clear();
   m_path.clear();
   m_rescuedFrom.clear();
   committedChanged();
@@ -85,6 +87,7 @@ Status Document::open(const std::filesystem::path& path) {
   Result<LoadedProject> loaded = loadProject(path);
   if (!loaded) return loaded.error();
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
+  m_missing = std::move(loaded->missing);
   endPreview();
   m_history = History(std::move(loaded->project));
   m_path = path;
@@ -99,6 +102,12 @@ Status Document::save() {
 }
 
 Status Document::saveAs(const std::filesystem::path& path) {
+  if (!m_path.empty()) {
+    std::error_code ignored;
+    const auto folderOf = [&](const std::filesystem::path& file) { return std::filesystem::absolute(file, ignored).parent_path(); };
+    const Status copied = copyTerrainAlong(committed().terrain->file, folderOf(m_path), folderOf(path));
+    if (!copied) return copied;
+  }
   const Status status = saveProject(committed(), path);
   if (!status) return status;
   m_path = path;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "editor/core/history.hpp"
 #include "engine/core/result.hpp"
@@ -54,9 +55,11 @@ class Document {
   void startNew(Project start = {});
   /// On failure the document stays as it was. Warnings of the reader (unknown keys) go to the log.
   Status open(const std::filesystem::path& path);
+  /// Files that the project as it was opened names and that couldn't be read; it is open all the same.
+  [[nodiscard]] const std::vector<Problem>& missing() const { return m_missing; }
   /// Fails with Usage where there is no path. On failure the old file is intact, the project still dirty.
   Status save();
-  /// Takes the path over only on success.
+  /// Takes the path over only on success. Into another folder the terrain's file goes along.
   Status saveAs(const std::filesystem::path& path);
   /// Takes over a project rescued from a side file: dirty, belonging to `path` (may be empty).
   void recover(Project project, std::filesystem::path path, std::filesystem::path sideFile);
@@ -73,6 +76,7 @@ class Document {
   Project m_preview;
   bool m_previewing = false;
   std::filesystem::path m_path, m_rescuedFrom;
+  std::vector<Problem> m_missing;
   std::uint64_t m_revision = 1, m_edits = 0;
 };
 

@@ -89,6 +89,11 @@ void DocumentFlow::proceed() {
     if (onReplaced) onReplaced();
     if (onFileUsed) onFileUsed(path);
     if (onDone) onDone("Opened " + path.filename().string());
+    if (!m_document.missing().empty()) {
+      Error error{ErrorKind::BadInput, m_document.missing()};
+      error.problems.push_back({{}, {}, "The ground is shown flat. The project keeps the file's name."});
+      fail(error);
+    }
   }
 }
 

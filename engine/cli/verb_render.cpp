@@ -50,13 +50,13 @@ Error usage(const std::string& message) {
 
 Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
   const std::vector<Camera>& cameras = *project.cameras;
-  if (options.camera.empty()) return cameras.empty() ? frameField(*project.field) : viewThrough(cameras.front());
+  if (options.camera.empty()) return cameras.empty() ? frameField(*project.field, project.terrain->heights.get()) : viewThrough(cameras.front());
   std::string names = "above";
   for (const Camera& camera : cameras) {
     if (camera.name == options.camera) return viewThrough(camera);
     names += ", " + camera.name;
   }
-  if (options.camera == "above") return frameFieldFromAbove(*project.field);
+  if (options.camera == "above") return frameFieldFromAbove(*project.field, project.terrain->heights.get());
   return usage("--camera: found '" + options.camera + "', expected one of " + names);
 }
 

@@ -51,6 +51,19 @@ GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& gra
   return layout;
 }
 
+std::vector<glm::vec2> groundInTiles(const GrassLayout& layout, const HeightField& ground) {
+  std::vector<glm::vec2> bounds;
+  bounds.reserve(static_cast<std::size_t>(layout.tiles.x) * static_cast<std::size_t>(layout.tiles.y));
+  for (int z = 0; z < layout.tiles.y; ++z) {
+    for (int x = 0; x < layout.tiles.x; ++x) {
+      const glm::vec2 low = layout.origin + layout.tileSideM * glm::vec2(x, z);
+      const HeightRange range = heightsOver(ground, low, low + layout.tileSideM);
+      bounds.emplace_back(range.lowest, range.highest);
+    }
+  }
+  return bounds;
+}
+
 GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout, float detail) {
   const float quality = std::clamp(detail, 0.02f, 1.0f);
   const float tallest = std::max(grass.height * (1.0f + grass.heightVariation), 0.01f);

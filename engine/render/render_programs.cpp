@@ -10,6 +10,8 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"sky/sky", {"include/fullscreen.vert", "sky/sky.frag"}},
     {"terrain/ground", {"terrain/ground.vert", "terrain/ground.frag"}, "FULL_DETAIL"},
     {"terrain/ground quick", {"terrain/ground.vert", "terrain/ground.frag"}},
+    {"terrain/ground mesh", {"terrain/ground_mesh.vert", "terrain/ground.frag"}, "FULL_DETAIL"},
+    {"terrain/ground mesh quick", {"terrain/ground_mesh.vert", "terrain/ground.frag"}},
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
     {"field/speed map", {"field/map.vert", "field/speed_map.frag"}},

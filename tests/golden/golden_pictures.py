@@ -27,6 +27,7 @@ PICTURES = [
     ("canyon-top-streamlines", "canyon", ["--camera", "above", "--time", "3", "--overlay", "vorticity,streamlines"]),
     ("meadow-hill-lic", "meadow", ["--camera", "hill", "--time", "3", "--overlay", "lic,arrows"]),
     ("colliding-above-divergence", "colliding-winds", ["--camera", "above", "--time", "3", "--overlay", "divergence"]),
+    ("hills-hero", "hills", ["--camera", "hero", "--time", "3"]),
     ("canyon-hero", "canyon", ["--camera", "hero", "--time", "2"]),
 ]
 
