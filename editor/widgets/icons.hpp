@@ -18,6 +18,7 @@ inline constexpr const char* kPlay = "\xef\x81\x8b";        // f04b
 inline constexpr const char* kPause = "\xef\x81\x8c";       // f04c
 inline constexpr const char* kStep = "\xef\x81\x91";        // f051 step-forward
 inline constexpr const char* kRestart = "\xef\x81\x89";     // f049 fast-backward
+inline constexpr const char* kLoop = "\xef\x81\xb9";        // f079 retweet
 inline constexpr const char* kUndo = "\xef\x83\xa2";        // f0e2
 inline constexpr const char* kRedo = "\xef\x80\x9e";        // f01e repeat
 inline constexpr const char* kEye = "\xef\x81\xae";         // f06e
