@@ -54,6 +54,8 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
   if (const Status keymap = app->m_workspace.actions.applyKeymap(app->m_workspace.preferences.keymap); !keymap)
     logWarning(keymap.error().text());
   if (!line.file.empty()) app->m_workspace.flow.requestOpen(line.file);
+  app->m_workspace.selection.replace(std::vector<Id>(line.selected.begin(), line.selected.end()));
+  app->m_workspace.selection.repair(app->m_workspace.document.project());
   return app;
 }
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::array<double, 4> kWindowsS{5, 15, 30, 120};
 constexpr double kLeastTopMps = 4;
-constexpr float kLeastHeightPx = 92;  // of a probe with both plots
+constexpr float kLeastHeightPx = 104;  // of a probe with both plots
 constexpr float kHeadingPart = 0.36f;
 
 std::string windText(glm::vec2 wind) {
@@ -21,6 +21,12 @@ std::string windText(glm::vec2 wind) {
   std::string text = fixed(double(glm::length(wind)), 1) + " m/s";
   if (heading) text += "  to " + fixed(double(*heading), 0) + "°";
   return text;
+}
+
+/// Gridlines of a heading: as many as have room for their labels.
+double headingStep(float heightPx) {
+  const float line = look().small->FontSize;
+  return heightPx > 5 * line ? 90 : heightPx > 3 * line ? 180 : 360;
 }
 
 std::string nameOf(const Probe& probe) {
@@ -152,9 +158,9 @@ void ProbePanel::drawProbe(PanelContext& context, const Probe& probe, const Time
   markItem("probe.plot/" + std::to_string(probe.id));
   if (ImGui::IsItemClicked()) context.workspace.selection.replace(probe.id);
   const bool hovered = ImGui::IsItemHovered() && ImGui::GetIO().MousePos.x >= left;
-  const double labelRoom = double(look().small->FontSize * 1.1f / (speed.max.y - speed.min.y));
+  const double labelRoom = double(look().small->FontSize * 1.4f / (speed.max.y - speed.min.y));
   drawFrame(speed, std::max(1.0, tickStep(top * labelRoom)), " m/s");
-  drawFrame(heading, (heading.max.y - heading.min.y) > 4 * look().small->FontSize ? 90 : 180, "°");
+  drawFrame(heading, headingStep(heading.max.y - heading.min.y), "°");
   drawSpeed(speed, probe.id);
   drawHeading(heading, probe.id);
   const float now = speed.at(context.session->time(), 0).x;
@@ -185,8 +191,8 @@ void ProbePanel::drawTimes(const TimeAxis& axis) {
   for (const Tick& tick : ticksBetween(std::max(0.0, axis.from), axis.to(), step)) {
     const std::string text = tick.text + " s";
     const float half = look().small->CalcTextSizeA(look().small->FontSize, FLT_MAX, 0, text.c_str()).x / 2;
-    const float x = left + float(axis.part(tick.value)) * width;
-    if (x - half < left - scaled(2) || x + half > right + scaled(2)) continue;
+    const float x = std::max(left + float(axis.part(tick.value)) * width, left + half - scaled(4));
+    if (x + half > right + scaled(2)) continue;
     list.AddText(look().small, look().small->FontSize, {x - half, y}, packed(look().palette.muted), text.c_str());
   }
 }

@@ -172,8 +172,6 @@ void TimelinePanel::drawLanes(PanelContext& context, const Area& area) {
   ImGui::BeginChild("lanes", {0, 0}, false, ImGuiWindowFlags_NoScrollWithMouse);
   if (ImGui::IsWindowHovered(ImGuiHoveredFlags_ChildWindows) && ImGui::GetIO().MousePos.x < area.left)
     ImGui::SetScrollY(ImGui::GetScrollY() - ImGui::GetIO().MouseWheel * scaled(30));
-  Area inner = area;
-  inner.right = std::min(area.right, ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x - scaled(2));
   const float thin = scaled(m_lanes.size() > kNamedLanes ? kThinLanePx : kLanePx);
   const float all = thin * float(m_lanes.size() - (m_root ? 1 : 0));
   const float open = std::max(scaled(kOpenLanePx), area.bottom - area.top - all - scaled(2));
@@ -185,13 +183,14 @@ void TimelinePanel::drawLanes(PanelContext& context, const Area& area) {
     const bool visible = y + height >= area.top && y <= area.bottom;
     ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x, y});
     if (isOpen && (visible || m_curve.dragging()))
-      drawOpenLane(context, lane, inner, height);
+      drawOpenLane(context, lane, area, height);
     else if (visible)
-      drawLane(context, lane, inner, height);
+      drawLane(context, lane, area, height);
     if (isOpen && m_opened != m_root) ImGui::SetScrollFromPosY(y - ImGui::GetWindowPos().y, 0.0f);
     y += height;
   }
   m_opened = m_root;
+  drawPlayhead(context, area, false);
   ImGui::SetCursorScreenPos({ImGui::GetWindowPos().x, y});
   ImGui::Dummy({1, 0});
   ImGui::EndChild();

@@ -130,7 +130,8 @@ void TimelinePanel::takeAxis(const Area& area) {
   if (!ImGui::IsMouseDown(ImGuiMouseButton_Middle)) m_grab = Grab::None;
 }
 
-void TimelinePanel::drawPlayhead(const PanelContext& context, const Area& area) const {
+/// Over the window at hand: the ruler and the lanes are two.
+void TimelinePanel::drawPlayhead(const PanelContext& context, const Area& area, bool head) const {
   if (!context.session) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Palette& palette = look().palette;
@@ -141,10 +142,11 @@ void TimelinePanel::drawPlayhead(const PanelContext& context, const Area& area) 
   }
   const float x = area.x(m_axis, context.session->time());
   list.AddLine({x, area.top}, {x, area.bottom}, packed(palette.text), scaled(1.5f));
+  list.PopClipRect();
+  if (!head) return;
   list.AddTriangleFilled({x - scaled(5), area.top}, {x + scaled(5), area.top}, {x, area.top + scaled(7)},
                          packed(palette.text));
   look().map.rectangle("timeline/playhead", {x - scaled(5), area.top}, {x + scaled(5), area.top + scaled(7)});
-  list.PopClipRect();
 }
 
 void TimelinePanel::draw(PanelContext& context) {
@@ -154,7 +156,9 @@ void TimelinePanel::draw(PanelContext& context) {
   ImGui::BeginChild("time", {0, 0}, false, ImGuiWindowFlags_NoScrollWithMouse | ImGuiWindowFlags_NoScrollbar);
   const ImVec2 origin = ImGui::GetCursorScreenPos(), size = ImGui::GetContentRegionAvail();
   const float labels = std::min(scaled(116), size.x * 0.3f), ruler = look().small->FontSize + scaled(8);
-  const Area area{origin.x + labels, origin.x + size.x - scaled(2), origin.y, origin.y + size.y};
+  // The lanes may scroll: ruler and lanes keep the same width.
+  const float right = origin.x + size.x - ImGui::GetStyle().ScrollbarSize - scaled(2);
+  const Area area{origin.x + labels, right, origin.y, origin.y + size.y};
   if (area.right - area.left > scaled(40) && size.y > ruler) {
     const double now = context.session ? context.session->time() : 0;
     const bool inView = m_lastNow >= m_axis.from && m_lastNow <= m_axis.to();
@@ -165,7 +169,11 @@ void TimelinePanel::draw(PanelContext& context) {
     Area lanes = area;
     lanes.top += ruler;
     drawLanes(context, lanes);
-    drawPlayhead(context, area);
+    Area rulerOnly = area;
+    rulerOnly.bottom = area.top + ruler;
+    ImGui::PushClipRect({area.left, area.top}, {area.right, area.bottom}, true);
+    drawPlayhead(context, rulerOnly, true);
+    ImGui::PopClipRect();
   }
   ImGui::EndChild();
   look().map.fact("curve.root", std::to_string(m_root));

@@ -50,7 +50,7 @@ class TimelinePanel {
   void drawOpenLane(PanelContext& context, const TreeLane& lane, const Area& area, float height);
   void laneHover(PanelContext& context, const TreeLane& lane, const Area& area) const;
   void drawMarks(const Area& area, const TreeLane& lane, double delay, float top, float bottom) const;
-  void drawPlayhead(const PanelContext& context, const Area& area) const;
+  void drawPlayhead(const PanelContext& context, const Area& area, bool head) const;
   void takeAxis(const Area& area);
   void selectRoot(PanelContext& context, Id root) const;
 

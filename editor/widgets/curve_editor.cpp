@@ -46,12 +46,14 @@ struct CurveEditor::View {
   ImDrawList& list;
 
   [[nodiscard]] float x(double time) const { return min.x + float(axis.part(time)) * (max.x - min.x); }
-  [[nodiscard]] float y(double factor) const { return max.y - float(factor / top) * (max.y - min.y); }
+  // What lies at 0 can be seen and grabbed in full.
+  [[nodiscard]] float zero() const { return max.y - scaled(7); }
+  [[nodiscard]] float y(double factor) const { return zero() - float(factor / top) * (zero() - min.y); }
   [[nodiscard]] ImVec2 at(double time, double factor) const { return {x(time), y(factor)}; }
   [[nodiscard]] double time(float px) const { return axis.timeAt(double((px - min.x) / (max.x - min.x))); }
-  [[nodiscard]] double factor(float py) const { return top * double((max.y - py) / (max.y - min.y)); }
+  [[nodiscard]] double factor(float py) const { return top * double((zero() - py) / (zero() - min.y)); }
   [[nodiscard]] double secondsOf(double pixels) const { return pixels * axis.seconds / double(max.x - min.x); }
-  [[nodiscard]] double factorsOf(double pixels) const { return pixels * top / double(max.y - min.y); }
+  [[nodiscard]] double factorsOf(double pixels) const { return pixels * top / double(zero() - min.y); }
 };
 
 TimeAxis CurveEditor::frameOf(const Signal& signal) {
@@ -105,7 +107,7 @@ void CurveEditor::drawCourse(const View& view, const Signal& signal) const {
     if (time >= 0) line.push_back({x, view.y(double(signalAt(signal, time)))});
   }
   for (std::size_t i = 0; i + 1 < line.size(); ++i)
-    view.list.AddRectFilled({line[i].x, std::min(line[i].y, view.max.y)}, {line[i + 1].x, view.max.y},
+    view.list.AddRectFilled({line[i].x, std::min(line[i].y, view.zero())}, {line[i + 1].x, view.zero()},
                             packed(palette.accent, 0.18f));
   view.list.AddPolyline(line.data(), int(line.size()), packed(palette.accent), ImDrawFlags_None, scaled(2));
 }
@@ -372,7 +374,7 @@ bool CurveEditor::keyPressed(const KeyPress& press, Workspace& workspace) {
   if (!m_hovered || press.modifiers.any() || dragging()) return false;
   const Signal signal = signalOf(workspace.document.committed(), m_root);
   if (signal.kind != SignalKind::Curve) return false;
-  if (press.key == Key::Delete && !m_selected.empty()) {
+  if ((press.key == Key::Delete || press.key == Key::X) && !m_selected.empty()) {
     ++m_gesture;
     apply(workspace, eraseKeysEdit(workspace.document.committed(), m_root, m_selected));
     m_selected.clear();

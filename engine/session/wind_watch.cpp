@@ -8,7 +8,7 @@ namespace windloom {
 namespace {
 
 constexpr double kEveryS = 1.0 / 30;
-constexpr int kSlots = 16;                     // requests on their way: some frames of several steps each
+constexpr int kSlots = 128;                    // requests on their way: what a slice of a seek does on a fast GPU
 constexpr std::size_t kMostWaiting = 200'000;  // samples that nobody takes: a watch without a panel
 
 }  // namespace
