@@ -62,6 +62,8 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
   if (const Status keymap = app->m_workspace.actions.applyKeymap(app->m_workspace.preferences.keymap); !keymap)
     logWarning(keymap.error().text());
   if (!line.file.empty()) app->m_workspace.flow.requestOpen(line.file);
+  app->m_workspace.selection.replace(std::vector<Id>(line.selected.begin(), line.selected.end()));
+  app->m_workspace.selection.repair(app->m_workspace.document.project());
   return app;
 }
 
@@ -191,7 +193,8 @@ int App::writeKeys() const {
 
 double App::waitSeconds() const {
   if (!m_line.screenshot.empty()) return 0;
-  const bool playing = m_live->session() && m_live->session()->playing();
+  const Session* session = m_live->session();
+  const bool playing = session && (session->playing() || session->seeking());
   // Nothing moves: wake for events, and now and then for the blinking text cursor.
   if (!playing && m_idleSeconds > 0.5) return 0.1;
   // Screens show 60 pictures a second; where swapping doesn't wait for them, this does.
@@ -210,6 +213,7 @@ void App::passKeys() {
   for (const InputEvent& event : m_window->events()) {
     if (event.kind == InputEvent::Kind::Focus && event.action == 0) {
       m_workspace.focusLost();
+      m_timeline.focusLost(m_workspace);
       m_viewport.focusLost();
     }
     if (event.kind != InputEvent::Kind::Key) continue;
@@ -223,8 +227,11 @@ void App::passKeys() {
       m_afterFields = {key, translateModifiers(event.modifiers), false};
     } else if (key == Key::Escape && popup && !m_dialogs.open())
       ImGui::ClosePopupToLevel(0, false);  // ImGui leaves menus open
-    else if (!busy)
-      m_workspace.keyPressed({key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT});
+    else if (!busy) {
+      const KeyPress press{key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT};
+      PanelContext context = panelContext();
+      if (!m_timeline.keyPressed(press, context)) m_workspace.keyPressed(press);
+    }
   }
 }
 

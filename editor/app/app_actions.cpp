@@ -1,5 +1,7 @@
 // The actions that need a window or a running session; the others are the core's.
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 #include "editor/app/app.hpp"
@@ -69,6 +71,7 @@ void App::registerActions() {
                .shortcuts = {{Key::Space, {.shift = true}}},
                .run = [this] { m_live->session()->restart(); },
                .enabled = hasSession});
+  registerTimeActions();
   actions.add(
       {.id = "play.full_grid",
        .label = "Live wind on the project's grid",
@@ -95,6 +98,51 @@ void App::registerActions() {
   actions.add({.id = "help.about", .label = "About Windloom", .category = "Help", .help = "", .run = [this] {
                  m_aboutOpen = true;
                }});
+}
+
+void App::registerTimeActions() {
+  ActionTable& actions = m_workspace.actions;
+  const auto add = [&](const char* id, const char* label, const char* help, Shortcut shortcut,
+                       std::function<void(Session&)> work, bool repeats = false) {
+    Action action{.id = id, .label = label, .category = "Play", .help = help, .shortcuts = {shortcut}};
+    action.run = [this, work = std::move(work)] { work(*m_live->session()); };
+    action.enabled = [this] { return m_live->session() != nullptr; };
+    action.repeats = repeats;
+    if (action.id == "play.loop") action.checked = [this] { return m_live->session() && m_live->session()->loop().on; };
+    actions.add(std::move(action));
+  };
+  add("play.loop", "Loop", "Plays the time between the loop's marks again and again.", {Key::L, {.shift = true}},
+      [](Session& session) {
+        LoopRange loop = session.loop();
+        loop.on = !loop.on;
+        session.setLoop(loop);
+      });
+  add("play.loop_in", "Loop starts here", "The loop begins at the present time.", {Key::I, {.shift = true}},
+      [](Session& session) {
+        LoopRange loop = session.loop();
+        const double length = loop.out - loop.in;
+        loop.in = session.time();
+        if (loop.out <= loop.in) loop.out = loop.in + length;
+        loop.on = true;
+        session.setLoop(loop);
+      });
+  add("play.loop_out", "Loop ends here", "The loop ends at the present time.", {Key::O, {.shift = true}},
+      [](Session& session) {
+        LoopRange loop = session.loop();
+        loop.out = session.time();
+        if (loop.in >= loop.out) loop.in = 0;
+        loop.on = true;
+        session.setLoop(loop);
+      });
+  const auto jump = [](double seconds) {
+    return [seconds](Session& session) {
+      const auto seeking = session.seeking();
+      session.seek(std::max(0.0, (seeking ? seeking->target : session.time()) + seconds));
+    };
+  };
+  add("play.back", "Back one second", "Goes back in time by a second.", {Key::Left, {.alt = true}}, jump(-1), true);
+  add("play.forward", "Forward one second", "Goes on by a second as fast as it can.", {Key::Right, {.alt = true}},
+      jump(1), true);
 }
 
 /// One for each preset: its settings on the project, undone like any other edit.

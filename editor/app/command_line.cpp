@@ -35,6 +35,7 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
     return parseSize(text, line) ? std::string() : "expected WIDTHxHEIGHT, at least 320x240, found '" + text + "'";
   });
   app.add_option("--scale", line.scale, "Size of text and controls, 1 = 100%")->check(CLI::Range(0.5f, 4.0f));
+  app.add_option("--select", line.selected, "Ids of what is selected at the start: 1,4")->delimiter(',');
   app.add_option("--screenshot", screenshot, "Write the window as PNG after --frames frames, and end");
   app.add_option("--frames", line.frames, "Frames before the screenshot; each is 1/30 s of wind")
       ->check(CLI::Range(1, 100000));

@@ -3,12 +3,14 @@
 
 #include <filesystem>
 #include <optional>
+#include <vector>
 
 namespace windloom::editor {
 
 struct CommandLine {
   std::filesystem::path file;        ///< to open; empty: an empty project
   std::optional<int> width, height;  ///< window pixels, from --size
+  std::vector<unsigned> selected;    ///< ids to select at the start, from --select
   float scale = 0;                   ///< of the interface, from --scale; 0: preferences
   std::filesystem::path screenshot;  ///< write a picture of the window here after `frames` frames, then end
   int frames = 60;

@@ -45,6 +45,7 @@ inline constexpr const char* kWarning = "\xef\x81\xb1";      // f071 exclamation
 inline constexpr const char* kInfo = "\xef\x81\x9a";         // f05a info-circle
 inline constexpr const char* kError = "\xef\x81\x97";        // f057 times-circle
 inline constexpr const char* kPoint = "\xef\x86\x92";        // f192 dot-circle-o
+inline constexpr const char* kLoop = "\xef\x81\xb9";         // f079 retweet
 
 /// `symbol`, or `text` where the icon font is missing.
 inline const char* icon(const char* symbol, const char* text) {
