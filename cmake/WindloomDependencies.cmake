@@ -85,6 +85,8 @@ if(WINDLOOM_TESTS)
     add_library(GTest::gtest ALIAS gtest)
     add_library(GTest::gtest_main ALIAS gtest_main)
   endif()
+  # Micro-benchmarks are built where the library is there; no test needs them.
+  find_package(benchmark QUIET)
   # The tests' independent checks are Python scripts; the system's interpreter has Debian's numpy and
   # jsonschema packages, one found earlier on PATH may not.
   find_program(WINDLOOM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)

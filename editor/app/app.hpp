@@ -20,6 +20,7 @@
 #include "editor/panels/outliner.hpp"
 #include "editor/panels/probe_panel.hpp"
 #include "editor/panels/status_bar.hpp"
+#include "editor/panels/timeline_panel.hpp"
 #include "editor/viewport/viewport.hpp"
 
 namespace windloom::editor {
@@ -36,18 +37,21 @@ class App {
  private:
   /// Sizes of the areas around the viewport, px at 100%.
   struct Layout {
-    float left = 220, right = 320, bottom = 190, timeline = 460;
+    float left = 220, right = 320, bottom = 215, timeline = 460;
   };
 
   App(const CommandLine& line, std::unique_ptr<Window> window);
   void connect();          // workspace to window, dialogs, live view
   void registerActions();  // what is not the core's: play, overlays, view, help
+  void registerTimeActions();
   void registerSolverActions();
   void registerViewActions();
   void readPreferences();
+  void readOverlays();
   void writePreferences();
   void applyLook();
 
+  [[nodiscard]] int writeKeys() const;
   void frame();
   void passKeys();
   void runAfterFields();
@@ -79,6 +83,7 @@ class App {
 
   Outliner m_outliner;
   ProbePanel m_probes;
+  TimelinePanel m_timeline;
   StatusBar m_status;
   InspectorPanel m_inspector;
   ExportPanel m_export;

@@ -1,11 +1,32 @@
 // The actions that need a window or a running session; the others are the core's.
 
+#include <algorithm>
+#include <functional>
 #include <string>
 
 #include "editor/app/app.hpp"
 #include "engine/session/solver_scheme.hpp"
 
 namespace windloom::editor {
+
+namespace {
+
+struct OverlayEntry {
+  const char *name, *label, *help;
+  Key key;
+};
+
+constexpr OverlayEntry kOverlayEntries[] = {
+    {"arrows", "Arrows", "Wind trees as arrows on the ground, coloured by strength.", Key::Digit5},
+    {"streamlines", "Streamlines", "Short lines that run with the wind.", Key::Digit6},
+    {"vectors", "Wind vectors", "The wind on a regular grid.", Key::None},
+    {"speed", "Speed map", "Wind speed as colours on the ground.", Key::Digit7},
+    {"divergence", "Divergence map", "Where air gathers (blue) and spreads (orange).", Key::Digit8},
+    {"vorticity", "Vorticity map", "Where and which way the air turns: orange from +X towards +Z.", Key::None},
+    {"lic", "Line integral convolution", "Streaks along the wind that move with it, coloured by speed.", Key::Digit9},
+};
+
+}  // namespace
 
 void App::registerActions() {
   ActionTable& actions = m_workspace.actions;
@@ -50,6 +71,7 @@ void App::registerActions() {
                .shortcuts = {{Key::Space, {.shift = true}}},
                .run = [this] { m_live->session()->restart(); },
                .enabled = hasSession});
+  registerTimeActions();
   actions.add(
       {.id = "play.full_grid",
        .label = "Live wind on the project's grid",
@@ -78,6 +100,51 @@ void App::registerActions() {
                }});
 }
 
+void App::registerTimeActions() {
+  ActionTable& actions = m_workspace.actions;
+  const auto add = [&](const char* id, const char* label, const char* help, Shortcut shortcut,
+                       std::function<void(Session&)> work, bool repeats = false) {
+    Action action{.id = id, .label = label, .category = "Play", .help = help, .shortcuts = {shortcut}};
+    action.run = [this, work = std::move(work)] { work(*m_live->session()); };
+    action.enabled = [this] { return m_live->session() != nullptr; };
+    action.repeats = repeats;
+    if (action.id == "play.loop") action.checked = [this] { return m_live->session() && m_live->session()->loop().on; };
+    actions.add(std::move(action));
+  };
+  add("play.loop", "Loop", "Plays the time between the loop's marks again and again.", {Key::L, {.shift = true}},
+      [](Session& session) {
+        LoopRange loop = session.loop();
+        loop.on = !loop.on;
+        session.setLoop(loop);
+      });
+  add("play.loop_in", "Loop starts here", "The loop begins at the present time.", {Key::I, {.shift = true}},
+      [](Session& session) {
+        LoopRange loop = session.loop();
+        const double length = loop.out - loop.in;
+        loop.in = session.time();
+        if (loop.out <= loop.in) loop.out = loop.in + length;
+        loop.on = true;
+        session.setLoop(loop);
+      });
+  add("play.loop_out", "Loop ends here", "The loop ends at the present time.", {Key::O, {.shift = true}},
+      [](Session& session) {
+        LoopRange loop = session.loop();
+        loop.out = session.time();
+        if (loop.in >= loop.out) loop.in = 0;
+        loop.on = true;
+        session.setLoop(loop);
+      });
+  const auto jump = [](double seconds) {
+    return [seconds](Session& session) {
+      const auto seeking = session.seeking();
+      session.seek(std::max(0.0, (seeking ? seeking->target : session.time()) + seconds));
+    };
+  };
+  add("play.back", "Back one second", "Goes back in time by a second.", {Key::Left, {.alt = true}}, jump(-1), true);
+  add("play.forward", "Forward one second", "Goes on by a second as fast as it can.", {Key::Right, {.alt = true}},
+      jump(1), true);
+}
+
 /// One for each preset: its settings on the project, undone like any other edit.
 void App::registerSolverActions() {
   for (const SolverPreset& preset : solverPresets()) {
@@ -100,18 +167,19 @@ void App::registerSolverActions() {
 
 void App::registerViewActions() {
   ActionTable& actions = m_workspace.actions;
-  const auto overlay = [&](const char* id, const char* label, const char* help, Key key, bool Overlays::*flag) {
-    actions.add({.id = id,
-                 .label = label,
+  for (const OverlayEntry& entry : kOverlayEntries) {
+    const OverlayKind* kind = findOverlay(entry.name);
+    WL_REQUIRE(kind != nullptr, "every entry names an overlay");
+    std::vector<Shortcut> shortcuts;
+    if (entry.key != Key::None) shortcuts.push_back({entry.key, {}});
+    actions.add({.id = "overlay." + std::string(entry.name),
+                 .label = entry.label,
                  .category = "View",
-                 .help = help,
-                 .shortcuts = {{key, {}}},
-                 .run = [this, flag] { m_viewport.overlays.*flag = !(m_viewport.overlays.*flag); },
-                 .checked = [this, flag] { return m_viewport.overlays.*flag; }});
-  };
-  overlay("overlay.arrows", "Arrows", "Wind trees as arrows on the ground.", Key::Digit5, &Overlays::arrows);
-  overlay("overlay.vectors", "Wind vectors", "The wind on a regular grid.", Key::Digit6, &Overlays::vectors);
-  overlay("overlay.speed", "Speed map", "Wind speed as colours on the ground.", Key::Digit7, &Overlays::speed);
+                 .help = entry.help,
+                 .shortcuts = std::move(shortcuts),
+                 .run = [this, kind] { setOn(m_viewport.overlays, *kind, !isOn(m_viewport.overlays, *kind)); },
+                 .checked = [this, kind] { return isOn(m_viewport.overlays, *kind); }});
+  }
   actions.add({.id = "view.full_quality",
                .label = "Full quality",
                .category = "View",

@@ -7,7 +7,6 @@
 #include "editor/panels/help_window.hpp"
 #include "editor/panels/history_panel.hpp"
 #include "editor/panels/solver_panel.hpp"
-#include "editor/panels/timeline_panel.hpp"
 #include "editor/widgets/splitter.hpp"
 
 namespace windloom::editor {
@@ -122,7 +121,7 @@ void App::drawBottom(PanelContext& context, ImVec2 min, ImVec2 max) {
                      Layout{}.timeline, m_layout.timeline))
     writePreferences();
   beginArea("timeline", min, {min.x + timeline, max.y}, Back::Panel);
-  drawTimelinePanel(context);
+  m_timeline.draw(context);
   endArea();
   beginArea("notes", {min.x + timeline + bar, min.y}, max, Back::Panel);
   if (ImGui::BeginTabBar("notes")) {

@@ -109,7 +109,7 @@ class Workspace {
 /// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
 /// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.probe tool.delete tool.cancel;
-/// view.frame view.frame_all view.top view.front view.side view.orthographic; snap.grid snap.angle snap.points.
+/// view.frame view.frame_all view.top view.front view.side view.orthographic; grass.instanced grass.none; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

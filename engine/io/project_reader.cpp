@@ -10,6 +10,7 @@
 #include "engine/io/project_records.hpp"
 #include "engine/io/terrain_file.hpp"
 #include "engine/model/parameters.hpp"
+#include "engine/model/signal_curve.hpp"
 #include "engine/model/validate.hpp"
 
 namespace windloom {
@@ -223,17 +224,33 @@ class Reader {
     std::vector<SignalKey> keys;
     if (!value.is_array() || value.size() > kMaxSignalKeys) {
       problem(place, "found " + describeJson(value) + ", expected an array of at most " +
-                         std::to_string(kMaxSignalKeys) + " pairs [time, value]");
+                         std::to_string(kMaxSignalKeys) + " keys [time, value] or [time, value, easing]");
       return keys;
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-      if (isNumberArray(value[i], 2)) {
-        keys.push_back({value[i][0].get<float>(), value[i][1].get<float>()});
-      } else {
-        problem(place.at(i), "found " + describeJson(value[i]) + ", expected two numbers [time, value]");
-      }
+      if (const auto key = readKey(value[i], place.at(i))) keys.push_back(*key);
     }
     return keys;
+  }
+
+  std::optional<SignalKey> readKey(const JsonDocument& value, const Place& place) {
+    const bool shaped =
+        value.is_array() && (value.size() == 2 || value.size() == 3) && value[0].is_number() && value[1].is_number();
+    if (!shaped) {
+      problem(place, "found " + describeJson(value) +
+                         ", expected two numbers [time, value], and an easing after them where it isn't linear");
+      return std::nullopt;
+    }
+    SignalKey key{value[0].get<float>(), value[1].get<float>()};
+    if (value.size() == 2) return key;
+    const auto easing =
+        value[2].is_string() ? std::ranges::find(kEasings, value[2].get_ref<const std::string&>()) : kEasings.end();
+    if (easing == kEasings.end()) {
+      problem(place.at(2), "found " + describeJson(value[2]) + ", expected one of linear, smooth, hold");
+      return std::nullopt;
+    }
+    key.easing = static_cast<Easing>(easing - kEasings.begin());
+    return key;
   }
 
   WindGraph readGraph(const JsonDocument& value, const Place& place) {

@@ -7,6 +7,7 @@
 #include "engine/io/project_json.hpp"
 #include "engine/io/project_records.hpp"
 #include "engine/model/parameters.hpp"
+#include "engine/model/signal_curve.hpp"
 #include "engine/model/validate.hpp"
 
 namespace windloom {
@@ -99,14 +100,15 @@ Schema signalSchema() {
   const Schema pair{{"type", "array"},
                     {"prefixItems",
                      {numberSchema("number", 0, static_cast<double>(kMaxSignalKeyTimeS)),
-                      numberSchema("number", 0, static_cast<double>(kMaxSignalKeyValue))}},
+                      numberSchema("number", 0, static_cast<double>(kMaxSignalKeyValue)), Schema{{"enum", kEasings}}}},
                     {"minItems", 2},
-                    {"maxItems", 2}};
+                    {"maxItems", 3}};
   schema["properties"]["keys"] = {
       {"type", "array"},
       {"items", pair},
       {"maxItems", kMaxSignalKeys},
-      {"description", "Pairs [time in s, factor], times ascending; straight lines between them; curve."}};
+      {"description",
+       "Keys [time in s, factor] or [time in s, factor, easing to the next key], times ascending; curve."}};
   return schema;
 }
 
@@ -196,7 +198,8 @@ std::string parametersMarkdown() {
   appendTable<Arrow>(text, "Arrow", "/graph/arrows/N");
   appendTable<Signal>(text, "Signal", "/graph/signals/N");
   text += "| keys |  |  | [0 to " + shortest(kMaxSignalKeyTimeS) + " s, 0 to " + shortest(kMaxSignalKeyValue) +
-          "] |  | Pairs of time and factor on the strength, times ascending, straight lines between them; curve. |\n";
+          "] |  | Time, factor on the strength, and how the curve goes on to the next key: linear (left out in files), "
+          "smooth, hold. Times ascend; curve. |\n";
   appendTable<Obstacle>(text, "Obstacle", "/obstacles/N");
   appendTable<TerrainSettings>(text, "Terrain", "/terrain");
   appendTable<GrassSettings>(text, "Grass", "/grass");

@@ -8,6 +8,7 @@
 #include "engine/io/project_json.hpp"
 #include "engine/io/project_records.hpp"
 #include "engine/model/parameters.hpp"
+#include "engine/model/signal_curve.hpp"
 #include "engine/model/validate.hpp"
 
 namespace windloom {
@@ -26,7 +27,7 @@ std::string number(float value) {
   return value == 0 ? "0" : shortest(value);
 }
 
-std::string arrayOf(std::initializer_list<std::string> parts) {
+std::string arrayOf(const std::vector<std::string>& parts) {
   std::string text;
   for (const std::string& part : parts) text.append(text.empty() ? "[" : ", ").append(part);
   return text.append("]");
@@ -106,8 +107,11 @@ Members membersOf(const Owner& owner, Wanted&& wanted) {
   if constexpr (std::is_same_v<Owner, Signal>) {
     if (!owner.keys.empty()) {
       std::string keys;
-      for (const SignalKey& k : owner.keys)
-        keys.append(keys.empty() ? "[" : ", ").append(arrayOf({number(k.time), number(k.value)}));
+      for (const SignalKey& k : owner.keys) {
+        std::vector<std::string> parts{number(k.time), number(k.value)};
+        if (k.easing != Easing::Linear) parts.push_back(jsonText(kEasings[static_cast<std::size_t>(k.easing)]));
+        keys.append(keys.empty() ? "[" : ", ").append(arrayOf(parts));
+      }
       members.push_back(member("keys", keys.append("]")));
     }
   }

@@ -14,6 +14,7 @@
 #include "engine/core/contract.hpp"
 #include "engine/core/hash.hpp"
 #include "engine/model/graph_links.hpp"
+#include "engine/model/signal_curve.hpp"
 
 namespace windloom {
 namespace {
@@ -68,31 +69,6 @@ double gustNoise(const Signal& signal, double t) {
   return sum;
 }
 
-double betweenKeys(const SignalKey& a, double timeA, const SignalKey& b, double timeB, double t) {
-  if (timeB <= timeA) return static_cast<double>(b.value);
-  return std::lerp(static_cast<double>(a.value), static_cast<double>(b.value), (t - timeA) / (timeB - timeA));
-}
-
-/// Straight lines between keys. A looped curve also joins its last key to the first of the next round;
-/// one that doesn't loop holds its first and last values outside its keys. No keys: always 1.
-double curveValue(const Signal& signal, double t) {
-  const std::vector<SignalKey>& keys = signal.keys;
-  if (keys.empty()) return 1;
-  const double period = std::max<double>(signal.period, keys.back().time);
-  const bool looped = signal.loop && period > 0;
-  if (looped) t -= std::floor(t / period) * period;
-  const auto timeOf = [](const SignalKey& key) { return static_cast<double>(key.time); };
-  const auto after = std::ranges::upper_bound(keys, t, {}, timeOf);
-  if (after == keys.begin()) {
-    if (!looped) return static_cast<double>(after->value);
-    return betweenKeys(keys.back(), static_cast<double>(keys.back().time) - period, *after, after->time, t);
-  }
-  const SignalKey& before = *(after - 1);
-  if (after != keys.end()) return betweenKeys(before, before.time, *after, after->time, t);
-  if (!looped) return static_cast<double>(before.value);
-  return betweenKeys(before, before.time, keys.front(), static_cast<double>(keys.front().time) + period, t);
-}
-
 /// Dijkstra over travel times. Candidates are settled in the order of (time, arrow id), so equal times
 /// go to the lowest arrow id, and a ring ends by itself: its start is settled already.
 std::vector<Arrival> findArrivals(const WindGraph& graph, const GraphLinks& links) {
@@ -144,7 +120,7 @@ float signalAt(const Signal& signal, double t) {
     case SignalKind::Gusts:
       return static_cast<float>(onset * (1.0 - static_cast<double>(signal.depth) * gustNoise(signal, t)));
     case SignalKind::Curve:
-      return static_cast<float>(onset * curveValue(signal, t));
+      return static_cast<float>(onset * curveAt(signal, t));
   }
   return 0;
 }

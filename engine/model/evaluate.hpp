@@ -46,9 +46,9 @@ class GraphEvaluator {
   std::vector<Driven> m_arrows;
 };
 
-/// A signal's factor at `t` seconds after its root began (before `delay`: 0). Continuous in time; 0..1,
-/// for a curve up to kMaxSignalKeyValue. A curve without keys is 1 throughout; one that loops also joins
-/// its last key to its first.
+/// A signal's factor at `t` seconds after its root began (before `delay`: 0). Continuous in time but where
+/// a key holds its value until the next one; 0..1, for a curve up to kMaxSignalKeyValue. A curve without
+/// keys is 1 throughout; one that loops also joins its last key to its first.
 float signalAt(const Signal& signal, double t);
 
 /// The ambient wind without gusts, m/s.

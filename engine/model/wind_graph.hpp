@@ -50,9 +50,17 @@ struct Arrow {
 
 enum class SignalKind { Constant, Pulse, Gusts, Curve };
 
+/// How a curve goes on from a key to the next one.
+enum class Easing {
+  Linear,  ///< a straight line
+  Smooth,  ///< a monotone cubic: no kink, and never beyond the two keys
+  Hold,    ///< the key's value, until the next key's jumps in
+};
+
 struct SignalKey {
   float time = 0.0f;   ///< s after the start, ascending
   float value = 0.0f;  ///< factor on the strength, 0..4
+  Easing easing = Easing::Linear;
 
   bool operator==(const SignalKey&) const = default;
 };
@@ -61,16 +69,16 @@ struct SignalKey {
 struct Signal {
   Id root = 0;
   SignalKind kind = SignalKind::Constant;
-  float delay = 0.0f;    ///< s before the first onset
-  float attack = 0.4f;   ///< s from 0 to full; all kinds start with it
-  float release = 1.0f;  ///< s from full to 0; Pulse
-  float period = 6.0f;   ///< s from onset to onset; Pulse. For Curve: repeat after so many s when `loop`
-  float on = 2.5f;       ///< s from onset to the begin of the release; Pulse
-  float depth = 0.6f;    ///< how far gusts drop below full, 0..1; Gusts
-  float rate = 0.5f;     ///< gusts per second; Gusts
-  int seed = 1;          ///< Gusts
-  bool loop = true;      ///< Curve
-  std::vector<SignalKey> keys;  ///< Curve, straight lines between keys
+  float delay = 0.0f;           ///< s before the first onset
+  float attack = 0.4f;          ///< s from 0 to full; all kinds start with it
+  float release = 1.0f;         ///< s from full to 0; Pulse
+  float period = 6.0f;          ///< s from onset to onset; Pulse. For Curve: repeat after so many s when `loop`
+  float on = 2.5f;              ///< s from onset to the begin of the release; Pulse
+  float depth = 0.6f;           ///< how far gusts drop below full, 0..1; Gusts
+  float rate = 0.5f;            ///< gusts per second; Gusts
+  int seed = 1;                 ///< Gusts
+  bool loop = true;             ///< Curve
+  std::vector<SignalKey> keys;  ///< Curve; see Easing for what lies between them
   std::string extra;
 
   bool operator==(const Signal&) const = default;

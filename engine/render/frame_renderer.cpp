@@ -87,9 +87,9 @@ class FrameRendererImpl final : public FrameRenderer {
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
     drawScene(input);
-    if (OverlayPass::wanted(input.overlays)) {
-      m_timer.stage("overlays");
-      m_parts.overlays.draw(input, m_targets.scene());
+    if (input.overlays.any()) {
+      const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
+      m_parts.overlays.draw(input, m_targets.scene(), detail, m_timer);
     }
     m_timer.stage("resolve");
     m_targets.resolve(input.framebuffer, input.origin);

@@ -10,6 +10,7 @@
 #include "engine/gpu/texture.hpp"
 #include "engine/session/live_grid.hpp"
 #include "engine/session/wind_readout.hpp"
+#include "engine/session/wind_watch.hpp"
 
 namespace windloom {
 namespace {
@@ -18,6 +19,8 @@ using Clock = std::chrono::steady_clock;
 
 // Wall time the steps of one advance() may take: half of the frame, within these bounds.
 constexpr double kLeastBudgetMs = 6.0, kMostBudgetMs = 40.0;
+// And of a slice of a seek: the window still answers, and most of the time goes into steps.
+constexpr double kSeekSliceMs = 40.0;
 
 double msSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -43,8 +46,9 @@ class RecentMedian {
 
 class SessionImpl final : public Session {
  public:
-  SessionImpl(const SessionOptions& options, std::unique_ptr<FrameRenderer> renderer, WindReadout readout)
-      : m_options(options), m_renderer(std::move(renderer)), m_readout(std::move(readout)) {}
+  SessionImpl(const SessionOptions& options, std::unique_ptr<FrameRenderer> renderer, WindReadout readout,
+              WindWatch watch)
+      : m_options(options), m_renderer(std::move(renderer)), m_readout(std::move(readout)), m_watch(std::move(watch)) {}
 
   Status start(const Project& project);
   Status setProject(const Project& project) override;
@@ -53,25 +57,42 @@ class SessionImpl final : public Session {
   void play() override { m_playing = true; }
   void pause() override { m_playing = false; }
   [[nodiscard]] bool playing() const override { return m_playing; }
-  void stepOnce() override { step(); }
+  void stepOnce() override;
   void restart() override;
+  void seek(double seconds) override;
+  void cancelSeek() override;
+  [[nodiscard]] std::optional<SeekProgress> seeking() const override;
+  void setLoop(const LoopRange& loop) override;
+  [[nodiscard]] const LoopRange& loop() const override { return m_loop; }
   [[nodiscard]] double time() const override { return m_simulation->time(); }
   void advance(double wallSeconds) override;
   void runTo(double seconds) override;
   void draw(const View& view) override;
   glm::vec2 windAt(glm::vec2 world) override;
+  void watch(std::vector<glm::vec2> places) override { m_watch.setPlaces(std::move(places)); }
+  std::vector<WindSample> takeSamples() override { return m_watch.take(); }
   [[nodiscard]] const SessionStatus& status() override;
 
  private:
+  struct Seek {
+    long from = 0, target = 0;  // steps
+  };
+  [[nodiscard]] double timeStep() const { return static_cast<double>(m_simulation->project().field->timeStep); }
   [[nodiscard]] bool onCpu() { return m_simulation->solver().backend() == Backend::Cpu; }
   Status fitGrid();
   void step();
+  void fitGridToStep(double stepMs);
+  void seekSlice();
+  void timeJumped();
   WindTexture windTexture();
   bool uploadWind();
 
   SessionOptions m_options;
   std::unique_ptr<FrameRenderer> m_renderer;
   WindReadout m_readout;
+  WindWatch m_watch;
+  LoopRange m_loop;
+  std::optional<Seek> m_seek;
   std::unique_ptr<Simulation> m_simulation;
   std::optional<LiveGridControl> m_grid;  // where the live grid may be coarser
   LiveGrid m_liveGrid = LiveGrid::Automatic;
@@ -88,6 +109,7 @@ Status SessionImpl::start(const Project& project) {
   options.backend = m_options.backend;
   options.context = m_options.context;
   options.shaders = m_options.shaders;
+  options.checkpoints = true;
   m_liveGrid = m_options.liveGrid;
   // Which backend runs is known once there is one; until then the grid is small, since making a full one and
   // throwing it away would cost the editor's start.
@@ -114,6 +136,9 @@ Status SessionImpl::setProject(const Project& project) {
   const Shared<SolverSettings> solver = m_simulation->project().solver;
   if (Status set = m_simulation->setProject(project); !set) return set;
   m_copiedStep = -1;
+  m_simulation->pinCheckpoint(m_loop.on ? m_simulation->stepAt(m_loop.in) : 0);
+  // What was done of the way so far belongs to the old project.
+  if (m_seek && !m_simulation->runsFromStart()) seek(static_cast<double>(m_seek->target) * timeStep());
   if (field != project.field || solver->backend != project.solver->backend) return fitGrid();
   return Done{};
 }
@@ -124,11 +149,63 @@ Status SessionImpl::setLiveGrid(LiveGrid choice) {
   return fitGrid();
 }
 
-void SessionImpl::restart() {
-  m_simulation->restart();
+void SessionImpl::timeJumped() {
   m_owedSeconds = 0;
   m_copiedStep = -1;
   m_readout.forget();
+  m_watch.timeJumped();
+}
+
+void SessionImpl::restart() {
+  m_seek.reset();
+  m_simulation->restart();
+  timeJumped();
+}
+
+void SessionImpl::stepOnce() {
+  m_seek.reset();
+  step();
+}
+
+void SessionImpl::seek(double seconds) {
+  const long target = m_simulation->stepAt(seconds), before = m_simulation->steps();
+  if (m_seek && !m_simulation->runsFromStart()) m_simulation->restart();
+  m_simulation->goTowards(target);
+  if (m_simulation->steps() != before) timeJumped();
+  m_seek.reset();
+  if (m_simulation->steps() < target) m_seek = Seek{m_simulation->steps(), target};
+}
+
+void SessionImpl::cancelSeek() {
+  if (!m_seek) return;
+  m_seek.reset();
+  m_playing = false;
+}
+
+std::optional<SeekProgress> SessionImpl::seeking() const {
+  if (!m_seek) return std::nullopt;
+  const double done = static_cast<double>(m_simulation->steps() - m_seek->from);
+  const double all = static_cast<double>(std::max(1L, m_seek->target - m_seek->from));
+  return SeekProgress{static_cast<double>(m_seek->target) * timeStep(), static_cast<float>(done / all)};
+}
+
+void SessionImpl::setLoop(const LoopRange& loop) {
+  m_loop = loop;
+  m_loop.in = std::max(0.0, loop.in);
+  m_loop.out = std::max(m_loop.in + timeStep(), loop.out);
+  m_simulation->pinCheckpoint(m_loop.on ? m_simulation->stepAt(m_loop.in) : 0);
+}
+
+/// Steps towards the target for a part of a frame.
+void SessionImpl::seekSlice() {
+  const auto start = Clock::now();
+  double usedMs = 0;
+  while (m_simulation->steps() < m_seek->target) {
+    step();
+    usedMs = std::max(msSince(start), usedMs + (onCpu() ? 0.0 : m_stepMs.value()));
+    if (usedMs + m_stepMs.value() > kSeekSliceMs) return;
+  }
+  m_seek.reset();
 }
 
 void SessionImpl::step() {
@@ -137,6 +214,12 @@ void SessionImpl::step() {
   const double wallMs = msSince(start);
   const double stepMs = onCpu() ? wallMs : std::max(wallMs, m_simulation->solver().diagnostics().stepMs);
   m_stepMs.add(stepMs);
+  m_watch.stepDone(*m_simulation);
+  // On the way to a time the grid stays: another one would begin another run.
+  if (!m_seek) fitGridToStep(stepMs);
+}
+
+void SessionImpl::fitGridToStep(double stepMs) {
   if (!m_grid || !m_grid->stepDone(stepMs)) return;
   if (Status set = m_simulation->setResolution(m_grid->resolution()); !set) logError(set.error().text());
   m_stepMs.clear();
@@ -144,8 +227,9 @@ void SessionImpl::step() {
 }
 
 void SessionImpl::advance(double wallSeconds) {
+  if (m_seek) return seekSlice();
   if (!m_playing || !(wallSeconds > 0.0)) return;
-  const double dt = static_cast<double>(m_simulation->project().field->timeStep);
+  const double dt = timeStep();
   const double budgetMs = std::clamp(500.0 * wallSeconds, kLeastBudgetMs, kMostBudgetMs);
   m_owedSeconds += wallSeconds;
   const auto start = Clock::now();
@@ -155,6 +239,10 @@ void SessionImpl::advance(double wallSeconds) {
     step();
     m_owedSeconds -= dt;
     simulated += dt;
+    if (m_loop.on && m_simulation->steps() >= m_simulation->stepAt(m_loop.out)) {
+      seek(m_loop.in);
+      break;
+    }
     usedMs = std::max(msSince(start), usedMs + (onCpu() ? 0.0 : m_stepMs.value()));
     if (usedMs + m_stepMs.value() > budgetMs) break;
   }
@@ -238,7 +326,9 @@ Result<std::unique_ptr<Session>> Session::create(const Project& project, const S
   if (!renderer) return renderer.error();
   Result<WindReadout> readout = WindReadout::create(*options.shaders);
   if (!readout) return readout.error();
-  auto session = std::make_unique<SessionImpl>(options, std::move(*renderer), std::move(*readout));
+  Result<WindWatch> watch = WindWatch::create(*options.shaders);
+  if (!watch) return watch.error();
+  auto session = std::make_unique<SessionImpl>(options, std::move(*renderer), std::move(*readout), std::move(*watch));
   if (Status started = session->start(project); !started) return started.error();
   return std::unique_ptr<Session>(std::move(session));
 }

@@ -3,6 +3,8 @@
 // last saw, updates only what changed, keeps the wind blowing at its fixed step, and draws.
 
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "engine/render/frame_renderer.hpp"
 #include "engine/session/simulation.hpp"
@@ -31,6 +33,24 @@ struct SessionStatus {
   FrameStats frame;
 };
 
+/// A part of time that is played again and again.
+struct LoopRange {
+  double in = 0, out = 10;  ///< simulated s; out is at least a time step after in
+  bool on = false;
+};
+
+/// On the way to a time that was asked for.
+struct SeekProgress {
+  double target = 0;  ///< s
+  float part = 0;     ///< of the steps, 0..1
+};
+
+/// The wind at a watched place, at the time of a step.
+struct WindSample {
+  double time = 0;                    ///< simulated s
+  glm::vec2 place{0.0f}, wind{0.0f};  ///< m; m/s
+};
+
 class Session {
  public:
   static Result<std::unique_ptr<Session>> create(const Project& project, const SessionOptions& options);
@@ -47,8 +67,20 @@ class Session {
   virtual void restart() = 0;
   [[nodiscard]] virtual double time() const = 0;
 
-  /// While playing, runs the steps that `wallSeconds` of real time call for, but no more than fit in about half
-  /// a frame: a slow machine slows time down instead of spiralling.
+  /// Goes to a time (s, >= 0): from the present, a checkpoint or the start, whichever needs the fewest steps and leads
+  /// to the wind that running from the start gives. The steps are done by advance(), some in each frame; then playing
+  /// or holding goes on. A second call changes the target.
+  virtual void seek(double seconds) = 0;
+  /// Stays at the time that was reached, holding.
+  virtual void cancelSeek() = 0;
+  [[nodiscard]] virtual std::optional<SeekProgress> seeking() const = 0;
+  /// While it is on, playing goes back to `in` at `out`.
+  virtual void setLoop(const LoopRange& loop) = 0;
+  [[nodiscard]] virtual const LoopRange& loop() const = 0;
+
+  /// While seeking, runs the steps that fit in a slice of a frame. While playing, runs the steps that `wallSeconds` of
+  /// real time call for, but no more than fit in about half a frame: a slow machine slows time down instead of
+  /// spiralling.
   virtual void advance(double wallSeconds) = 0;
   /// Steps to a time without drawing, for pictures at a time.
   virtual void runTo(double seconds) = 0;
@@ -66,6 +98,11 @@ class Session {
 
   /// Wind at a world position in m/s; on the GPU backend of a recent step, so that nothing waits.
   virtual glm::vec2 windAt(glm::vec2 world) = 0;
+  /// Samples these places from now on at steps about 1/30 s of simulated time apart.
+  virtual void watch(std::vector<glm::vec2> places) = 0;
+  /// What came since the last call, by ascending time but for where time went back. On the GPU backend samples come a
+  /// few frames late, and some may be left out.
+  virtual std::vector<WindSample> takeSamples() = 0;
   [[nodiscard]] virtual const SessionStatus& status() = 0;
 };
 

@@ -1,5 +1,6 @@
 #include "engine/session/simulation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/gpu/context.hpp"
@@ -26,6 +27,10 @@ bool sameGrid(const FieldSettings& a, const FieldSettings& b) {
          a.xMax == b.xMax && a.zMin == b.zMin && a.zMax == b.zMax;
 }
 
+long stepsInASecond(const Project& project) {
+  return std::max(1L, std::lround(1.0 / static_cast<double>(project.field->timeStep)));
+}
+
 WindSetup setupOf(const Project& project, const SimulationOptions& options) {
   WindSetup setup{*project.field, *project.solver, *project.ambient, *project.obstacles, {}};
   if (options.resolution) setup.field.resolution = *options.resolution;
@@ -45,6 +50,7 @@ Result<std::unique_ptr<Simulation>> Simulation::create(const Project& project, c
   if (Status valid = requireValid(project); !valid) return valid.error();
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->m_options = options;
+  simulation->m_checkpoints = Checkpoints({.bytes = options.checkpointBytes});
   if (Status built = simulation->build(project); !built) return built.error();
   simulation->adopt(project);
   return simulation;
@@ -61,6 +67,8 @@ Status Simulation::build(const Project& project) {
   m_solver = std::move(*solver);
   m_seconds = 0;
   m_steps = 0;
+  m_checkpoints.clear(stepsInASecond(project));
+  m_fromStart = true;
   return Done{};
 }
 
@@ -75,11 +83,19 @@ Status Simulation::setProject(const Project& project) {
   if (Status valid = requireValid(project); !valid) return valid;
   const bool rebuild =
       !sameGrid(*project.field, *m_project.field) || project.solver->backend != m_project.solver->backend;
+  const bool otherSetup = project.field != m_project.field || project.solver != m_project.solver ||
+                          project.ambient != m_project.ambient || project.obstacles != m_project.obstacles;
   if (rebuild) {
     if (Status built = build(project); !built) return built;
-  } else if (project.field != m_project.field || project.solver != m_project.solver ||
-             project.ambient != m_project.ambient || project.obstacles != m_project.obstacles) {
+  } else if (otherSetup) {
     m_solver->configure(setupOf(project, m_options));
+    if (project.field->timeStep != m_project.field->timeStep)
+      m_steps = std::lround(m_seconds / static_cast<double>(project.field->timeStep));
+  }
+  if (!rebuild && (otherSetup || project.graph != m_project.graph)) {
+    // The air that blows now isn't what running from the start would give, and what was kept doesn't lead to it.
+    m_checkpoints.clear(stepsInASecond(project));
+    m_fromStart = m_fromStart && !otherSetup && m_steps == startStep();
   }
   adopt(project);
   return Done{};
@@ -95,6 +111,7 @@ Status Simulation::setResolution(std::optional<glm::ivec2> resolution) {
   const SimulationOptions options = m_options;
   const double seconds = m_seconds;
   const long steps = m_steps;
+  const bool untouched = m_fromStart && m_steps == 0;
   m_options.resolution = resolution;
   if (Status built = build(m_project); !built) {
     m_options = options;
@@ -103,6 +120,9 @@ Status Simulation::setResolution(std::optional<glm::ivec2> resolution) {
   m_seconds = seconds;
   m_steps = steps;
   m_cellsFresh = false;
+  // At the start the new solver's own air is the right one.
+  m_fromStart = untouched;
+  if (untouched) return Done{};
   const GridMapping& grid = m_solver->grid();
   std::vector<glm::vec2> cells;
   cells.reserve(static_cast<std::size_t>(grid.resolution.x) * static_cast<std::size_t>(grid.resolution.y));
@@ -125,6 +145,8 @@ Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::v
   m_initial.assign(cells.begin(), cells.end());
   m_initialStep = step;
   setStep(step);
+  m_checkpoints.clear();
+  m_fromStart = true;
   return Done{};
 }
 
@@ -133,11 +155,43 @@ void Simulation::step() {
   ++m_steps;
   m_seconds += static_cast<double>(m_project.field->timeStep);
   m_cellsFresh = false;
+  keepCheckpoint();
+}
+
+void Simulation::keepCheckpoint() {
+  if (m_options.checkpoints && m_fromStart)
+    m_checkpoints.offer(m_steps, m_seconds, [this] { return m_solver->save(); });
+}
+
+long Simulation::startStep() const {
+  return startsFromField() ? m_initialStep : 0;
+}
+
+bool Simulation::startsFromField() const {
+  return static_cast<int>(m_initial.size()) == m_solver->grid().resolution.x * m_solver->grid().resolution.y;
+}
+
+long Simulation::stepAt(double seconds) const {
+  const double steps = seconds / static_cast<double>(m_project.field->timeStep);
+  return std::max(startStep(), std::lround(std::clamp(steps, 0.0, 1e9)));
+}
+
+void Simulation::goTowards(long step) {
+  if (step == m_steps) return;
+  const auto* kept = m_checkpoints.newestUpTo(step);
+  if (step > m_steps && (kept == nullptr || kept->first <= m_steps || !m_fromStart)) return;
+  if (kept == nullptr) return restart();
+  m_solver->restore(*kept->second.state);
+  m_steps = kept->first;
+  m_seconds = kept->second.seconds;
+  m_cellsFresh = false;
+  m_fromStart = true;
 }
 
 void Simulation::restart() {
   m_solver->reset();
-  if (static_cast<int>(m_initial.size()) == m_solver->grid().resolution.x * m_solver->grid().resolution.y) {
+  m_fromStart = true;
+  if (startsFromField()) {
     const Status set = m_solver->setVelocity(m_initial);
     WL_REQUIRE(set.ok(), "an initial field that was taken once is taken again");
     setStep(m_initialStep);

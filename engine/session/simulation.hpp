@@ -8,16 +8,19 @@
 #include <span>
 #include <vector>
 
+#include "engine/session/checkpoints.hpp"
 #include "engine/wind/wind_solver.hpp"
 
 namespace windloom {
 
 struct SimulationOptions {
-  Backend backend = Backend::Auto;        ///< overrides the project's unless Auto
-  std::optional<glm::ivec2> resolution;   ///< instead of the project's (live preview)
-  gpu::Context* context = nullptr;        ///< null: only the CPU backend is there
-  gpu::ShaderLibrary* shaders = nullptr;  ///< must be given with a context; both must outlive the simulation
-  int threads = 0;                        ///< CPU backend; as for ThreadPool
+  Backend backend = Backend::Auto;           ///< overrides the project's unless Auto
+  std::optional<glm::ivec2> resolution;      ///< instead of the project's (live preview)
+  gpu::Context* context = nullptr;           ///< null: only the CPU backend is there
+  gpu::ShaderLibrary* shaders = nullptr;     ///< must be given with a context; both must outlive the simulation
+  int threads = 0;                           ///< CPU backend; as for ThreadPool
+  bool checkpoints = false;                  ///< keeps states on the way, for goTowards()
+  std::size_t checkpointBytes = 256u << 20;  ///< of all states together
 };
 
 class Simulation {
@@ -47,6 +50,18 @@ class Simulation {
   /// is asked before each step; where it says yes, stops there and returns false.
   bool runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
 
+  /// The step whose time is nearest to `seconds`.
+  [[nodiscard]] long stepAt(double seconds) const;
+  /// Jumps to the latest known state from which steps lead to step `step`: now, a checkpoint, or the start. Running on
+  /// from there gives the same bytes as running from the start, unless the air now comes from before an edit and is
+  /// not later than `step`: then it goes on from now.
+  void goTowards(long step);
+  /// Keeps a checkpoint at this step whenever it comes by (the start of a loop); 0: none.
+  void pinCheckpoint(long step) { m_checkpoints.pin(step); }
+  /// Whether the air is what running from the start with this project gives.
+  [[nodiscard]] bool runsFromStart() const { return m_fromStart; }
+  [[nodiscard]] const Checkpoints& checkpoints() const { return m_checkpoints; }
+
   [[nodiscard]] double time() const { return m_seconds; }  ///< simulated, s
   [[nodiscard]] long steps() const { return m_steps; }     ///< time() in time steps
 
@@ -65,6 +80,9 @@ class Simulation {
   Status build(const Project& project);
   void adopt(const Project& project);
   void setStep(long step);
+  [[nodiscard]] bool startsFromField() const;
+  [[nodiscard]] long startStep() const;  // where restart() leads
+  void keepCheckpoint();
 
   Project m_project;
   SimulationOptions m_options;
@@ -74,6 +92,8 @@ class Simulation {
   std::vector<glm::vec2> m_cells;
   long m_initialStep = 0;
   bool m_cellsFresh = false;
+  Checkpoints m_checkpoints;
+  bool m_fromStart = true;  // the air is what running from the start with this project gives
   long m_steps = 0;
   double m_seconds = 0;
 };

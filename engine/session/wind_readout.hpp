@@ -2,17 +2,11 @@
 // The wind of the GPU backend at a few places without waiting for the GPU: places that were asked for are
 // sampled with the next frame and answered a few frames later.
 
-#include <deque>
 #include <vector>
 
-#include "engine/core/grid_mapping.hpp"
-#include "engine/gpu/readback.hpp"
-#include "engine/gpu/shader_library.hpp"
+#include "engine/session/wind_sampler.hpp"
 
 namespace windloom {
-
-/// The programs of this room.
-std::span<const gpu::ProgramSpec> sessionPrograms();
 
 class WindReadout {
  public:
@@ -28,24 +22,11 @@ class WindReadout {
   void forget();
 
  private:
-  WindReadout() = default;
-  struct Answer {
-    glm::vec2 world, wind;
-  };
-  struct Request {
-    long tag = 0;
-    std::vector<glm::vec2> places;
-  };
-  void collect();
+  explicit WindReadout(WindSampler sampler) : m_sampler(std::move(sampler)) {}
 
-  static constexpr std::size_t kMostPlaces = 64;
-  gpu::Program* m_program = nullptr;
-  gpu::Buffer m_places;
-  gpu::ReadbackRing m_ring;
+  WindSampler m_sampler;
   std::vector<glm::vec2> m_asked;
-  std::deque<Request> m_inFlight;
-  std::vector<Answer> m_answers;
-  long m_tag = 0;
+  WindSampler::Answer m_answer;  // the newest
 };
 
 }  // namespace windloom

@@ -2,8 +2,11 @@
 #include "engine/wind/cpu_solver.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
+#include <new>
 
 #include "engine/core/contract.hpp"
 #include "engine/wind/cpu_advection.hpp"
@@ -35,6 +38,22 @@ class StageClock {
  private:
   WindDiagnostics& m_diagnostics;
   Clock::time_point m_begin = Clock::now(), m_last = m_begin;
+};
+
+/// The planes that the next step reads, and the cell velocities.
+std::array<CpuPlane*, 6> planesOf(CpuFields& f) {
+  return {&f.velocity.u, &f.velocity.w, &f.phi, &f.expected, &f.speedX, &f.speedZ};
+}
+
+struct CpuWindState final : WindState {
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t floats = 0;
+    for (const std::vector<float>& plane : planes) floats += plane.size();
+    return floats * sizeof(float);
+  }
+  std::array<std::vector<float>, 6> planes;
+  bool hasPhi = false;
+  WindDiagnostics diagnostics;
 };
 
 CpuFields makeFields(const WindSetup& setup) {
@@ -171,6 +190,34 @@ void CpuWindSolver::readVelocity(std::vector<glm::vec2>& cells) {
       }
     }
   });
+}
+
+Result<std::unique_ptr<WindState>> CpuWindSolver::save() {
+  auto state = std::make_unique<CpuWindState>();
+  const std::array<CpuPlane*, 6> planes = planesOf(m_fields);
+  try {
+    for (std::size_t p = 0; p < planes.size(); ++p) {
+      const float* memory = planes[p]->memory();
+      state->planes[p].assign(memory, memory + planes[p]->bytes() / sizeof(float));
+    }
+  } catch (const std::bad_alloc&) {
+    return makeError(ErrorKind::Machine, "there is no memory to keep a state of the wind");
+  }
+  state->hasPhi = m_fields.hasPhi;
+  state->diagnostics = m_diagnostics;
+  return std::unique_ptr<WindState>(std::move(state));
+}
+
+void CpuWindSolver::restore(const WindState& state) {
+  const auto* own = dynamic_cast<const CpuWindState*>(&state);
+  WL_REQUIRE(own != nullptr, "a state of another backend");
+  const std::array<CpuPlane*, 6> planes = planesOf(m_fields);
+  for (std::size_t p = 0; p < planes.size(); ++p) {
+    WL_REQUIRE(own->planes[p].size() * sizeof(float) == planes[p]->bytes(), "a state of another grid");
+    std::memcpy(planes[p]->memory(), own->planes[p].data(), planes[p]->bytes());
+  }
+  m_fields.hasPhi = own->hasPhi;
+  m_diagnostics = own->diagnostics;
 }
 
 Result<std::unique_ptr<WindSolver>> makeCpuWindSolver(const WindSetup& setup, int threads) {

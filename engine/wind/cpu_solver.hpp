@@ -17,6 +17,8 @@ class CpuWindSolver final : public WindSolver {
   void reset() override;
   Status setVelocity(std::span<const glm::vec2> cells) override;
   void readVelocity(std::vector<glm::vec2>& cells) override;
+  Result<std::unique_ptr<WindState>> save() override;
+  void restore(const WindState& state) override;
 
   [[nodiscard]] unsigned velocityTexture() const override { return 0; }
   [[nodiscard]] const GridMapping& grid() const override { return m_fields.grid.mapping; }

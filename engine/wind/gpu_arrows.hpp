@@ -16,6 +16,18 @@ class GpuArrows {
   /// the lists the old arrows stay and the failure goes to the log. Answers whether arrows moved, came or went.
   bool send(GpuFields& fields, std::span<const ArrowForce> arrows);
   void bind() const;
+
+  /// The arrows that send() last compared with, and whether the step had any: what its next answer depends on.
+  struct Sent {
+    std::vector<ArrowForce> arrows;
+    bool blowing = false;
+  };
+  [[nodiscard]] Sent sent(const GpuFields& fields) const { return {m_sent, fields.block.tileColumns > 0}; }
+  /// Back to what was sent then.
+  void restore(GpuFields& fields, const Sent& sent) {
+    send(fields, sent.arrows);
+    if (!sent.blowing) send(fields, {});
+  }
   [[nodiscard]] std::size_t memoryBytes() const {
     return m_arrowBuffer.bytes() + m_startBuffer.bytes() + m_indexBuffer.bytes() + m_busyBuffer.bytes();
   }

@@ -1,6 +1,7 @@
 #pragma once
 // The pressure solve of the GPU backend: multigrid or plain Jacobi sweeps. docs/solver.md section 6.
 
+#include <array>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ class GpuPressure {
 
   /// u = q* - gradient of the pressure into `result` with ghosts, cell velocities and the numbers of the step.
   void project(const GpuFields& fields, const gpu::Buffer& star, const gpu::Buffer& result);
+
+  /// Planes of floats that the next solve reads: the last pressure, and what the next one is expected to be.
+  [[nodiscard]] std::array<const gpu::Buffer*, 2> history() const { return {&m_phi, &m_predicted}; }
 
   /// Work-groups of the pass that finds the flux.
   [[nodiscard]] glm::ivec2 groupsOfFlux(Pressure kind) const {

@@ -1,6 +1,8 @@
 // The GPU backend: the stages of docs/solver.md in order, each in as few dispatches as it takes.
+#include <array>
 #include <cmath>
 #include <cstring>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,6 +26,32 @@ constexpr std::size_t kReportBytes = offsetof(shared::WindControl, groups);
 constexpr shared::uint kNoCell = 0xffffffffu;
 constexpr long kTimedEvery = 8;  // steps from one whose stages are timed to the next: time stamps cost time themselves
 
+/// What of the CPU's knowledge of the steps decides about the next ones. Reports of the last steps are still on their
+/// way when a state is saved: the solver puts them in when they come.
+struct StepsKnown {
+  GpuCycles cycles;
+  WindDiagnostics diagnostics;
+  long step = 0;
+};
+
+struct GpuWindState final : WindState {
+  [[nodiscard]] std::size_t bytes() const override {
+    std::size_t sum = arrows.arrows.size() * sizeof(ArrowForce) + cellBytes;
+    for (const gpu::Buffer& buffer : buffers) sum += buffer.bytes();
+    return sum;
+  }
+  std::vector<gpu::Buffer> buffers;  // copies, in the order of GpuWindSolver::kept()
+  gpu::Texture cells;
+  std::size_t cellBytes = 0;
+  GpuArrows::Sent arrows;
+  std::shared_ptr<StepsKnown> known;
+};
+
+void copyBuffer(const gpu::Buffer& from, const gpu::Buffer& to) {
+  WL_REQUIRE(from.bytes() == to.bytes(), "a state of another grid");
+  glCopyNamedBufferSubData(from.name(), to.name(), 0, 0, static_cast<GLsizeiptr>(from.bytes()));
+}
+
 class GpuWindSolver final : public WindSolver {
  public:
   static Result<std::unique_ptr<WindSolver>> make(const WindSetup& setup, gpu::ShaderLibrary& shaders);
@@ -33,6 +61,8 @@ class GpuWindSolver final : public WindSolver {
   void reset() override;
   Status setVelocity(std::span<const glm::vec2> cells) override;
   void readVelocity(std::vector<glm::vec2>& cells) override;
+  Result<std::unique_ptr<WindState>> save() override;
+  void restore(const WindState& state) override;
 
   [[nodiscard]] unsigned velocityTexture() const override { return m_fields.cells.name(); }
   [[nodiscard]] const GridMapping& grid() const override { return m_fields.grid.mapping; }
@@ -53,6 +83,8 @@ class GpuWindSolver final : public WindSolver {
 
   void takeReports(long upTo, gpu::ReadbackRing::Wait wait);
   void take(long step, const shared::WindControl& report);
+  [[nodiscard]] std::array<const gpu::Buffer*, 4> kept() const;
+  void copyCells(const gpu::Texture& from, const gpu::Texture& to) const;
   void startFrom(const std::vector<float>& faces);
   void resample();
   void clearControl();
@@ -66,8 +98,9 @@ class GpuWindSolver final : public WindSolver {
   gpu::GpuTimer m_timer;
   const gpu::Program& m_resample;
   WindDiagnostics m_diagnostics;
-  long m_step = 0;      // recorded since the last start
-  long m_reported = 0;  // newest step whose report has been taken
+  long m_step = 0;                                    // recorded since the last start
+  long m_reported = 0;                                // newest step whose report has been taken
+  std::vector<std::weak_ptr<StepsKnown>> m_awaiting;  // of saved states, reports that are on their way
 };
 
 Result<std::unique_ptr<WindSolver>> GpuWindSolver::make(const WindSetup& setup, gpu::ShaderLibrary& shaders) {
@@ -171,6 +204,16 @@ void GpuWindSolver::take(long step, const shared::WindControl& report) {
   }
   const double residual = report.flux > 0 ? std::sqrt(double(report.flux) / double(report.wanted)) : 0;
   m_cycles.learn(step, static_cast<int>(report.cycles), residual);
+  for (const std::weak_ptr<StepsKnown>& awaiting : m_awaiting) {
+    const std::shared_ptr<StepsKnown> known = awaiting.lock();
+    if (!known || step > known->step) continue;
+    known->cycles.learn(step, static_cast<int>(report.cycles), residual);
+    known->diagnostics = d;
+  }
+  std::erase_if(m_awaiting, [&](const std::weak_ptr<StepsKnown>& awaiting) {
+    const std::shared_ptr<StepsKnown> known = awaiting.lock();
+    return !known || step >= known->step;
+  });
 }
 
 const WindDiagnostics& GpuWindSolver::diagnostics() {
@@ -238,6 +281,53 @@ void GpuWindSolver::readVelocity(std::vector<glm::vec2>& cells) {
   m_fields.cells.read(GL_RG, GL_FLOAT, cells.data(), cells.size() * sizeof(glm::vec2));
   takeReports(m_step, gpu::ReadbackRing::Wait::Yes);
   m_timer.finish();
+}
+
+std::array<const gpu::Buffer*, 4> GpuWindSolver::kept() const {
+  const auto history = m_pressure.history();
+  return {&m_fields.velocity, &m_fields.control, history[0], history[1]};
+}
+
+void GpuWindSolver::copyCells(const gpu::Texture& from, const gpu::Texture& to) const {
+  glCopyImageSubData(from.name(), GL_TEXTURE_2D, 0, 0, 0, 0, to.name(), GL_TEXTURE_2D, 0, 0, 0, 0, m_fields.width(),
+                     m_fields.height(), 1);
+}
+
+Result<std::unique_ptr<WindState>> GpuWindSolver::save() {
+  auto state = std::make_unique<GpuWindState>();
+  // The last step's passes wrote the buffers and, as an image, the texture.
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  for (const gpu::Buffer* buffer : kept()) {
+    Result<gpu::Buffer> copy = gpu::Buffer::create("wind state", buffer->bytes(), gpu::BufferUse::Static);
+    if (!copy) return copy.error();
+    copyBuffer(*buffer, *copy);
+    state->buffers.push_back(std::move(*copy));
+  }
+  Result<gpu::Texture> cells =
+      gpu::Texture::create2D("wind state cells", {m_fields.width(), m_fields.height()}, GL_RG32F);
+  if (!cells) return cells.error();
+  state->cells = std::move(*cells);
+  copyCells(m_fields.cells, state->cells);
+  state->cellBytes = m_fields.grid.solid.size() * sizeof(glm::vec2);
+  state->arrows = m_arrows.sent(m_fields);
+  state->known = std::make_shared<StepsKnown>(StepsKnown{m_cycles, m_diagnostics, m_step});
+  if (m_reported < m_step) m_awaiting.push_back(state->known);
+  return std::unique_ptr<WindState>(std::move(state));
+}
+
+void GpuWindSolver::restore(const WindState& state) {
+  const auto* own = dynamic_cast<const GpuWindState*>(&state);
+  WL_REQUIRE(own != nullptr, "a state of another backend");
+  takeReports(m_step, gpu::ReadbackRing::Wait::Yes);
+  // Steps that are thrown away wrote what is written here, and the passes of the next ones read it.
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_TEXTURE_UPDATE_BARRIER_BIT);
+  const auto targets = kept();
+  for (std::size_t b = 0; b < targets.size(); ++b) copyBuffer(own->buffers[b], *targets[b]);
+  copyCells(own->cells, m_fields.cells);
+  m_arrows.restore(m_fields, own->arrows);
+  m_cycles = own->known->cycles;
+  m_diagnostics = own->known->diagnostics;
+  m_step = m_reported = own->known->step;
 }
 
 }  // namespace

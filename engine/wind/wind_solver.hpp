@@ -52,6 +52,13 @@ struct WindDiagnostics {
   std::vector<std::pair<std::string, double>> stageMs;  ///< the same by stage, in order
 };
 
+/// All that decides how the wind goes on, kept by WindSolver::save. It may outlive its solver.
+class WindState {
+ public:
+  virtual ~WindState() = default;
+  [[nodiscard]] virtual std::size_t bytes() const = 0;  ///< of memory, on whichever processor
+};
+
 class WindSolver {
  public:
   virtual ~WindSolver() = default;
@@ -73,6 +80,12 @@ class WindSolver {
   /// The field that all outside the solver reads: cell-centred, laid out as for setVelocity. On the GPU
   /// backend this waits for the GPU; use the texture in a frame.
   virtual void readVelocity(std::vector<glm::vec2>& cells) = 0;
+
+  /// Keeps the state as it is now; nothing waits for the GPU. Fails with Machine where there is no memory.
+  virtual Result<std::unique_ptr<WindState>> save() = 0;
+  /// Goes on from a state that this solver saved, with the settings it had then: the same steps give the same bytes as
+  /// if nothing had come between.
+  virtual void restore(const WindState& state) = 0;
 
   /// Name of an RG32F texture with that field, texel (i, k) = cell (i, k), on the GPU backend; 0 on
   /// the CPU backend. Stays valid while the solver lives.

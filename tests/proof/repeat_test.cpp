@@ -62,6 +62,39 @@ TEST_P(WindRepeat, ASecondSolverGivesTheSameBytes) {
   EXPECT_TRUE(sameBytes(first, livelyField(*make(setup), 30)));
 }
 
+TEST_P(WindRepeat, ASavedStateGoesOnWithTheSameBytes) {
+  const auto solver = make(livelySetup(full() ? glm::ivec2(203, 149) : glm::ivec2(81, 60)));
+  std::vector<ArrowForce> arrows = {arrow({-40, 0}, {-10, 5}, 11, 5), arrow({40, 10}, {15, 5}, 9, 4)};
+  const auto forward = [&](int from, int to) {  // arrows come at step 20, and one goes at step 40
+    for (int n = from; n < to; ++n) {
+      const std::span<const ArrowForce> blowing(arrows.data(), n < 20 ? 0u : n < 40 ? 2u : 1u);
+      solver->step(blowing, n / 60.0);
+    }
+  };
+  // Near the start, right before and after the arrows come, while the reports of steps are on their way.
+  for (const int kept : {1, 20, 22}) {
+    solver->reset();
+    forward(0, kept);
+    auto state = solver->save();
+    ASSERT_TRUE(state.ok()) << state.error().text();
+    EXPECT_GT((*state)->bytes(), std::size_t{81 * 60 * 4 * 4});
+    const CellField then = readCells(*solver);
+    forward(kept, 50);
+    const CellField once = readCells(*solver);
+    const long steps = solver->diagnostics().step;
+    arrows[0].strength = 30;  // something else altogether
+    forward(10, 45);
+    arrows[0].strength = 11;
+    for (int again = 0; again < 2; ++again) {
+      solver->restore(**state);
+      EXPECT_TRUE(sameBytes(then, readCells(*solver))) << kept;
+      forward(kept, 50);
+      EXPECT_TRUE(sameBytes(once, readCells(*solver))) << kept;
+      EXPECT_EQ(solver->diagnostics().step, steps) << kept;
+    }
+  }
+}
+
 TEST(WindThreads, DoNotChangeAByteOfTheCpuBackend) {
   const WindSetup setup = livelySetup({203, 149});
   CpuWindSolver one(setup, 1), two(setup, 2), seven(setup, 7);

@@ -1,6 +1,6 @@
 #include "engine/grass/grass_programs.hpp"
 #include "engine/render/render_programs.hpp"
-#include "engine/session/wind_readout.hpp"
+#include "engine/session/wind_sampler.hpp"
 #include "tests/gpu/gpu_test.hpp"
 
 namespace windloom {

@@ -186,5 +186,83 @@ TEST_F(LiveSession, CountsTheBladesItDraws) {
   EXPECT_GT(session->status().frame.bladesDrawn, 0);
 }
 
+TEST_F(LiveSession, SeeksInSlicesAndGivesTheSameWindAgain) {
+  for (const Backend backend : {Backend::Cpu, Backend::Gpu}) {
+    const auto session = open(breezeProject({32, 32}), backend);
+    ASSERT_NE(session, nullptr);
+    session->watch({{0.0f, 0.0f}});
+    const auto arrive = [&](double target) {
+      session->seek(target);
+      int frames = 0;
+      while (session->seeking() && ++frames < 5000) {
+        EXPECT_LE(session->seeking()->part, 1.0f);
+        EXPECT_NEAR(session->seeking()->target, target, 0.02);
+        session->advance(1.0 / 30);
+      }
+      EXPECT_NEAR(session->time(), target, 0.02);
+      glFinish();
+    };
+    arrive(1.5);
+    std::vector<WindSample> first;
+    for (int frame = 0; frame < 3; ++frame) {
+      for (const WindSample& sample : session->takeSamples()) first.push_back(sample);
+      glFinish();
+    }
+    ASSERT_FALSE(first.empty());
+    arrive(0.5);
+    session->takeSamples();
+    arrive(1.5);
+    std::vector<WindSample> second;
+    for (int frame = 0; frame < 3; ++frame) {
+      for (const WindSample& sample : session->takeSamples()) second.push_back(sample);
+      glFinish();
+    }
+    ASSERT_FALSE(second.empty());
+    EXPECT_GE(second.front().time, 0.49) << "from where it went back to";
+    int compared = 0;
+    for (const WindSample& sample : second) {
+      for (const WindSample& before : first) {
+        if (std::abs(before.time - sample.time) > 1e-6) continue;
+        EXPECT_EQ(before.wind, sample.wind) << sample.time;
+        ++compared;
+      }
+    }
+    EXPECT_GT(compared, 0);
+  }
+}
+
+TEST_F(LiveSession, ACancelledSeekStaysWhereItCameTo) {
+  const auto session = open(breezeProject({64, 64}));
+  ASSERT_NE(session, nullptr);
+  session->play();
+  session->seek(3600);
+  session->advance(1.0 / 30);
+  ASSERT_TRUE(session->seeking().has_value()) << "an hour doesn't fit into a frame";
+  EXPECT_GT(session->time(), 0);
+  session->cancelSeek();
+  const double reached = session->time();
+  session->advance(1.0 / 30);
+  EXPECT_FALSE(session->seeking().has_value());
+  EXPECT_FALSE(session->playing());
+  EXPECT_EQ(session->time(), reached);
+}
+
+TEST_F(LiveSession, ALoopGoesBackToItsStart) {
+  const auto session = open(breezeProject({32, 32}));
+  ASSERT_NE(session, nullptr);
+  session->setLoop({.in = 0.5, .out = 1.0, .on = true});
+  session->play();
+  double greatest = 0, leastAfter = 10;
+  for (int frame = 0; frame < 120; ++frame) {
+    session->advance(1.0 / 30);
+    greatest = std::max(greatest, session->time());
+    if (greatest > 0.9) leastAfter = std::min(leastAfter, session->time());
+  }
+  EXPECT_NEAR(greatest, 1.0, 0.06);
+  EXPECT_NEAR(leastAfter, 0.5, 0.06);
+  session->setLoop({.in = 2, .out = 1, .on = false});
+  EXPECT_GT(session->loop().out, session->loop().in);
+}
+
 }  // namespace
 }  // namespace windloom

@@ -130,6 +130,28 @@ TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
   }
 }
 
+TEST(ProjectJson, NamesThePlaceOfAKeysWrongPart) {
+  const auto refusal = [](const std::string& key) {
+    const Result<LoadedProject> loaded = parseProject(
+        R"({"format": "windloom-project", "version": 1, "graph": {"points": [{"id": 1, "position": [0, 0]}],
+            "signals": [{"root": 1, "kind": "curve", "keys": [[0, 1, "hold"], )" +
+            key + "]}]}}",
+        "x");
+    return loaded.ok() ? "taken" : loaded.error().text();
+  };
+  EXPECT_EQ(refusal(R"([1, 2, "smooth"])"), "taken");
+  EXPECT_EQ(refusal(R"([1, 2, "linear"])"), "taken");
+  for (const auto& [key, told] :
+       {std::pair{R"([1, 2, "bouncy"])", "/keys/1/2: found \"bouncy\", expected one of linear"},
+        {"[1, 2, 3]", "/keys/1/2: found 3, expected one of linear, smooth, hold"},
+        {"[1]", "/keys/1: found"},
+        {R"(["1", 2])", "/keys/1: found"},
+        {R"([1, 2, "hold", 4])", "/keys/1: found"},
+        {"[1, 9]", "/keys/1: "}}) {
+    EXPECT_NE(refusal(key).find(std::string("/graph/signals/0") + told), std::string::npos) << refusal(key);
+  }
+}
+
 TEST(ProjectJson, SyntaxErrorsSayThatItIsNoJson) {
   for (const char* name : {"binary", "nan", "not-json", "not-utf8", "number-too-large", "truncated"}) {
     EXPECT_NE(messageOf(name).find("is not valid JSON: "), std::string::npos) << messageOf(name);

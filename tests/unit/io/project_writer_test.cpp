@@ -49,6 +49,17 @@ TEST(ProjectJson, WritesOneRecordALineWithoutDefaults) {
   }
 }
 
+TEST(ProjectJson, EasingsOfKeysSurviveAndLinearIsLeftOut) {
+  Project project = read(kRichProject);
+  WindGraph graph = *project.graph;
+  graph.signals[0].keys[0].easing = Easing::Smooth;
+  graph.signals[0].keys[1].easing = Easing::Hold;
+  project.graph = std::make_shared<WindGraph>(graph);
+  const std::string text = writeProject(project);
+  EXPECT_NE(text.find(R"("keys": [[0, 0, "smooth"], [1.25, 1, "hold"], [4, 0]])"), std::string::npos) << text;
+  EXPECT_EQ(read(text).graph->signals[0].keys, graph.signals[0].keys);
+}
+
 TEST(ProjectJson, WritesTheShortestNumbers) {
   Project project;
   AmbientWind ambient;

@@ -102,6 +102,54 @@ TEST(Signal, CurveGoesStraightBetweenKeysAndLoops) {
   EXPECT_NEAR(signalAt(curve, 50), 0, 1e-5f);
 }
 
+TEST(Signal, ASmoothCurveHasNoKinkAndStaysBetweenItsKeys) {
+  Signal curve = signalOf(SignalKind::Curve);
+  curve.attack = 0.01f;
+  curve.period = 6;
+  curve.keys = {{0.5f, 0, Easing::Smooth}, {1, 0.1f, Easing::Smooth}, {2, 3.5f, Easing::Smooth},
+                {2.2f, 4, Easing::Smooth}, {3, 0, Easing::Smooth},    {5, 0, Easing::Smooth}};
+  double lastSlope = 0, greatestBend = 0;
+  for (double t = 6; t < 18; t += 0.001) {
+    const double now = double(signalAt(curve, t)), slope = (double(signalAt(curve, t + 0.001)) - now) / 0.001;
+    ASSERT_GE(now, 0) << t;
+    ASSERT_LE(now, 4) << t;
+    if (t > 6) greatestBend = std::max(greatestBend, std::abs(slope - lastSlope));
+    lastSlope = slope;
+  }
+  EXPECT_LT(greatestBend, 0.5) << "the slope jumps";
+  for (std::size_t k = 0; k + 1 < curve.keys.size(); ++k) {  // monotone between neighbours
+    const SignalKey &a = curve.keys[k], &b = curve.keys[k + 1];
+    float last = a.value;
+    for (int i = 0; i <= 100; ++i) {
+      const float now = signalAt(curve, 6 + std::lerp(double(a.time), double(b.time), i / 100.0));
+      EXPECT_GE((now - last) * (b.value - a.value), -1e-5f) << k << " " << i;
+      last = now;
+    }
+    EXPECT_NEAR(signalAt(curve, 6 + double(b.time)), b.value, 1e-5f);
+  }
+}
+
+TEST(Signal, ALoopedSmoothCurveHasNoKinkAtItsSeam) {
+  Signal curve = signalOf(SignalKind::Curve);
+  curve.period = 4;
+  curve.keys = {{0, 1, Easing::Smooth}, {1, 2, Easing::Smooth}, {3, 0, Easing::Smooth}, {4, 1, Easing::Smooth}};
+  const auto slope = [&](double t) { return double(signalAt(curve, t + 1e-3) - signalAt(curve, t)) / 1e-3; };
+  EXPECT_NEAR(slope(8 - 2e-3), slope(8 + 1e-3), 0.05);
+  EXPECT_GT(slope(8), 0.5) << "rising from 0 through 1 to 2";
+}
+
+TEST(Signal, AHeldKeyJumpsAtTheNextOne) {
+  Signal curve = signalOf(SignalKind::Curve);
+  curve.attack = 0.01f;
+  curve.loop = false;
+  curve.keys = {{1, 0.5f, Easing::Hold}, {2, 2}, {3, 1, Easing::Smooth}, {4, 2}};
+  EXPECT_FLOAT_EQ(signalAt(curve, 1.999), 0.5f);
+  EXPECT_FLOAT_EQ(signalAt(curve, 2), 2.0f);
+  EXPECT_FLOAT_EQ(signalAt(curve, 2.5), 1.5f) << "straight after it";
+  EXPECT_NEAR(signalAt(curve, 3.5), 1.5f, 0.2f);
+  EXPECT_FLOAT_EQ(signalAt(curve, 60), 2.0f);
+}
+
 TEST(Signal, ConstantStaysFullAfterTheAttack) {
   Signal signal = signalOf(SignalKind::Constant);
   signal.attack = 0.4f;
