@@ -16,8 +16,10 @@ inline std::shared_ptr<const HeightField> heightsFrom(glm::ivec2 samples, glm::v
   for (int k = 0; k < samples.y; ++k) {
     for (int i = 0; i < samples.x; ++i) {
       source->values.push_back(height(size * (glm::vec2(i, k) / glm::vec2(samples - 1) - 0.5f)));
-      source->lowest = source->values.size() == 1 ? source->values.back() : std::min(source->lowest, source->values.back());
-      source->highest = source->values.size() == 1 ? source->values.back() : std::max(source->highest, source->values.back());
+      source->lowest =
+          source->values.size() == 1 ? source->values.back() : std::min(source->lowest, source->values.back());
+      source->highest =
+          source->values.size() == 1 ? source->values.back() : std::max(source->highest, source->values.back());
     }
   }
   TerrainSettings terrain;

@@ -56,16 +56,17 @@ void TerrainLoad::start(fs::path file, fs::path projectFile) {
   job->doing = "Reading " + file.filename().string();
   m_job = job;
   m_workers.push_back({std::thread([job, file = std::move(file), projectFile = std::move(projectFile)] {
-    const auto watch = [&](std::string_view doing) {
-      const std::scoped_lock lock(job->mutex);
-      job->doing = doing;
-      return !job->stop.load();
-    };
-    Loaded loaded = load(file, projectFile, watch);
-    const std::scoped_lock lock(job->mutex);
-    job->result = std::make_unique<Loaded>(std::move(loaded));
-    job->done = true;
-  }), job});
+                         const auto watch = [&](std::string_view doing) {
+                           const std::scoped_lock lock(job->mutex);
+                           job->doing = doing;
+                           return !job->stop.load();
+                         };
+                         Loaded loaded = load(file, projectFile, watch);
+                         const std::scoped_lock lock(job->mutex);
+                         job->result = std::make_unique<Loaded>(std::move(loaded));
+                         job->done = true;
+                       }),
+                       job});
 }
 
 std::string TerrainLoad::doing() const {

@@ -72,20 +72,21 @@ void TerrainPanel::drawState(PanelContext& context) {
   if (terrain.heights) {
     const HeightField& field = *terrain.heights;
     const HeightSource& source = *field.source;
-    const std::string from = source.triangles > 0
-                                 ? std::to_string(source.triangles) + " triangles"
-                                 : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
+    const std::string from =
+        source.triangles > 0 ? std::to_string(source.triangles) + " triangles"
+                             : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
     ImGui::TextDisabled("%s, %s x %s m, %s to %s m high", from.c_str(), fixed(double(field.size.x), 1).c_str(),
                         fixed(double(field.size.y), 1).c_str(), fixed(double(field.lowest()), 1).c_str(),
                         fixed(double(field.highest()), 1).c_str());
   } else if (terrain.kind != TerrainKind::Flat) {
-    ImGui::TextColored(look().palette.warning, "%s can't be read: the ground is shown flat. The project keeps its name.",
-                       terrain.file.c_str());
+    ImGui::TextColored(look().palette.warning,
+                       "%s can't be read: the ground is shown flat. The project keeps its name.", terrain.file.c_str());
     if (ImGui::Button("Try again")) workspace.loadTerrain(fileOf(workspace));
     markItem("inspector/terrain/again");
   } else {
-    ImGui::TextDisabled("Browse for a grey PNG (16 bit is best) or a glTF mesh, or drop one on the window. The wind is "
-                        "two-dimensional and doesn't depend on the ground.");
+    ImGui::TextDisabled(
+        "Browse for a grey PNG (16 bit is best) or a glTF mesh, or drop one on the window. The wind is "
+        "two-dimensional and doesn't depend on the ground.");
   }
   ImGui::PopTextWrapPos();
 }

@@ -35,9 +35,8 @@ Status copyFile(const fs::path& from, const fs::path& to) {
 
 /// Where every one of the files is, or could be put without hiding another.
 bool fits(const fs::path& from, const fs::path& to, const std::vector<std::string>& names) {
-  return std::ranges::all_of(names, [&](const std::string& name) {
-    return !isThere(to / name) || sameFile(from / name, to / name);
-  });
+  return std::ranges::all_of(
+      names, [&](const std::string& name) { return !isThere(to / name) || sameFile(from / name, to / name); });
 }
 
 Status copyAll(const fs::path& from, const fs::path& to, const std::vector<std::string>& names) {
@@ -51,7 +50,9 @@ Status copyAll(const fs::path& from, const fs::path& to, const std::vector<std::
 std::string decodeUri(const std::string& uri) {
   std::string text;
   for (std::size_t i = 0; i < uri.size(); ++i) {
-    const auto digit = [&](std::size_t at) { return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at])); };
+    const auto digit = [&](std::size_t at) {
+      return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at]));
+    };
     if (uri[i] == '%' && digit(i + 1) && digit(i + 2)) {
       text += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
       i += 2;
@@ -82,7 +83,8 @@ Result<std::vector<std::string>> terrainCompanions(const fs::path& file) {
   const Result<std::string> text = readFile(file, kMaxTerrainBytes);
   if (!text) return text.error();
   const JsonDocument document = JsonDocument::parse(*text, nullptr, false);
-  if (!document.is_object()) return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");
+  if (!document.is_object())
+    return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");
   for (const char* list : {"buffers", "images"}) {
     const auto entries = document.find(list);
     if (entries == document.end() || !entries->is_array()) continue;
@@ -134,7 +136,8 @@ Status copyTerrainAlong(const std::string& file, const fs::path& fromFolder, con
   if (file.empty() || fs::equivalent(fromFolder, toFolder, failed) || !isThere(fromFolder / file)) return Done{};
   const fs::path from = (fromFolder / file).parent_path(), to = (toFolder / file).parent_path();
   std::vector<std::string> names;
-  if (Result<std::vector<std::string>> companions = terrainCompanions(fromFolder / file)) names = std::move(*companions);
+  if (Result<std::vector<std::string>> companions = terrainCompanions(fromFolder / file))
+    names = std::move(*companions);
   std::erase_if(names, [&](const std::string& name) { return !isThere(from / name); });
   names.push_back(fs::path(file).filename().string());
   for (const std::string& name : names) {

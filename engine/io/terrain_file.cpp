@@ -20,7 +20,8 @@ float greyOf(const Image16& image, int x, int y) {
   constexpr float kWhite = 65535.0f;
   if (image.channels == 1) return static_cast<float>(pixel[0]) / kWhite;
   return (0.2126f * static_cast<float>(pixel[0]) + 0.7152f * static_cast<float>(pixel[1]) +
-          0.0722f * static_cast<float>(pixel[2])) / kWhite;
+          0.0722f * static_cast<float>(pixel[2])) /
+         kWhite;
 }
 
 /// Mean of the pixels that a sample stands for; the outer samples stand for the outer pixels' middles.
@@ -39,10 +40,11 @@ float meanAround(const Image16& image, glm::vec2 at, glm::vec2 pixelsPerSample) 
 Result<std::shared_ptr<HeightSource>> readPicture(const fs::path& file, const LoadWatch& watch) {
   const Result<Image16> image = readPng16(file);
   if (!image) return image.error();
-  if (std::min(image->width, image->height) < 2) return refuse(file, "has fewer than 2 pixels a side, too few for a landscape");
+  if (std::min(image->width, image->height) < 2)
+    return refuse(file, "has fewer than 2 pixels a side, too few for a landscape");
   if (std::max(image->width, image->height) > kMaxTerrainPicture) {
-    return refuse(file, "has " + std::to_string(std::max(image->width, image->height)) + " pixels a side, expected at most " +
-                            std::to_string(kMaxTerrainPicture));
+    return refuse(file, "has " + std::to_string(std::max(image->width, image->height)) +
+                            " pixels a side, expected at most " + std::to_string(kMaxTerrainPicture));
   }
   if (watch && !watch("Making heights")) return makeError(ErrorKind::Usage, "stopped");
   auto source = std::make_shared<HeightSource>();
@@ -51,7 +53,8 @@ Result<std::shared_ptr<HeightSource>> readPicture(const fs::path& file, const Lo
   source->values.reserve(static_cast<std::size_t>(source->samples.x) * static_cast<std::size_t>(source->samples.y));
   const glm::vec2 step = glm::vec2(source->pixels - 1) / glm::vec2(source->samples - 1);
   for (int k = 0; k < source->samples.y; ++k) {
-    for (int i = 0; i < source->samples.x; ++i) source->values.push_back(meanAround(*image, glm::vec2(i, k) * step, step));
+    for (int i = 0; i < source->samples.x; ++i)
+      source->values.push_back(meanAround(*image, glm::vec2(i, k) * step, step));
   }
   return source;
 }

@@ -20,9 +20,9 @@
 
 namespace windloom {
 
-inline constexpr int kMaxTerrainPicture = 16384;                    ///< pixels per side
-inline constexpr std::size_t kMaxTerrainVertices = 20'000'000;      ///< of a mesh; as many triangles
-inline constexpr std::uint64_t kMaxTerrainBytes = 1ull << 30;       ///< of any one file
+inline constexpr int kMaxTerrainPicture = 16384;                ///< pixels per side
+inline constexpr std::size_t kMaxTerrainVertices = 20'000'000;  ///< of a mesh; as many triangles
+inline constexpr std::uint64_t kMaxTerrainBytes = 1ull << 30;   ///< of any one file
 
 /// Told what a loader does next ("Reading hills.png"); false stops it.
 using LoadWatch = std::function<bool(std::string_view doing)>;

@@ -80,7 +80,8 @@ Result<tinygltf::Model> parseModel(const fs::path& file) {
       binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
                                            reinterpret_cast<const unsigned char*>(bytes->data()), size, folder.string())
              : loader.LoadASCIIFromString(&model, &problem, &warning, bytes->data(), size, folder.string());
-  if (!good) return refuse(file, "is no glTF file that can be read: " + oneLine(problem.empty() ? "it is damaged" : problem));
+  if (!good)
+    return refuse(file, "is no glTF file that can be read: " + oneLine(problem.empty() ? "it is damaged" : problem));
   for (const std::string& extension : model.extensionsRequired) {
     if (extension.starts_with("KHR_texture") || extension.starts_with("KHR_materials")) continue;
     return refuse(file, "needs the glTF extension " + extension + ", which can't be read: export it without");
@@ -94,8 +95,11 @@ struct Elements {
   std::size_t count = 0, stride = 0;
 };
 
-Result<Elements> elementsOf(const tinygltf::Model& model, int accessorIndex, std::size_t elementBytes, const fs::path& file) {
-  const auto inside = [](int index, const auto& list) { return index >= 0 && static_cast<std::size_t>(index) < list.size(); };
+Result<Elements> elementsOf(const tinygltf::Model& model, int accessorIndex, std::size_t elementBytes,
+                            const fs::path& file) {
+  const auto inside = [](int index, const auto& list) {
+    return index >= 0 && static_cast<std::size_t>(index) < list.size();
+  };
   const std::string name = "accessor " + std::to_string(accessorIndex);
   if (!inside(accessorIndex, model.accessors)) return refuse(file, "refers to " + name + ", which is not there");
   const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(accessorIndex)];
@@ -121,21 +125,25 @@ glm::dmat4 transformOf(const tinygltf::Node& node) {
     for (int i = 0; i < 16; ++i) own[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
     return own;
   }
-  if (node.translation.size() == 3) own = glm::translate(own, {node.translation[0], node.translation[1], node.translation[2]});
-  if (node.rotation.size() == 4) own *= glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+  if (node.translation.size() == 3)
+    own = glm::translate(own, {node.translation[0], node.translation[1], node.translation[2]});
+  if (node.rotation.size() == 4)
+    own *= glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
   if (node.scale.size() == 3) own = glm::scale(own, {node.scale[0], node.scale[1], node.scale[2]});
   return own;
 }
 
 class Collector {
  public:
-  Collector(const tinygltf::Model& model, const fs::path& file) : m_model(model), m_file(file), m_seen(model.nodes.size()) {}
+  Collector(const tinygltf::Model& model, const fs::path& file)
+      : m_model(model), m_file(file), m_seen(model.nodes.size()) {}
 
   Result<TriangleMesh> collect() {
     std::vector<int> roots;
     if (!m_model.scenes.empty()) {
       const int wanted = m_model.defaultScene >= 0 ? m_model.defaultScene : 0;
-      if (static_cast<std::size_t>(wanted) >= m_model.scenes.size()) return refuse(m_file, "has no scene " + std::to_string(wanted));
+      if (static_cast<std::size_t>(wanted) >= m_model.scenes.size())
+        return refuse(m_file, "has no scene " + std::to_string(wanted));
       roots = m_model.scenes[static_cast<std::size_t>(wanted)].nodes;
     } else {
       for (std::size_t i = 0; i < m_model.nodes.size(); ++i) roots.push_back(static_cast<int>(i));
@@ -189,7 +197,8 @@ class Collector {
       float xyz[3];
       std::memcpy(xyz, places->bytes + i * places->stride, sizeof xyz);
       const glm::vec3 at(world * glm::dvec4(xyz[0], xyz[1], xyz[2], 1.0));
-      if (!(glm::length(at) < 1e9f)) return refuse(m_file, "has a vertex (" + std::to_string(i) + ") that is nowhere: not finite or too far");
+      if (!(glm::length(at) < 1e9f))
+        return refuse(m_file, "has a vertex (" + std::to_string(i) + ") that is nowhere: not finite or too far");
       m_mesh.vertices.push_back(at);
     }
     return primitive.indices < 0 ? addRun(first, places->count) : addIndices(primitive.indices, first, places->count);
@@ -218,7 +227,8 @@ class Collector {
       std::uint32_t index = 0;  // little endian, as the file is
       std::memcpy(&index, elements->bytes + i * elements->stride, size);
       if (index >= vertices) {
-        return refuse(m_file, "has the index " + std::to_string(index) + ", but its mesh has only " + std::to_string(vertices) + " vertices");
+        return refuse(m_file, "has the index " + std::to_string(index) + ", but its mesh has only " +
+                                  std::to_string(vertices) + " vertices");
       }
       m_mesh.indices.push_back(static_cast<std::uint32_t>(first) + index);
     }
@@ -250,7 +260,8 @@ void drawTriangle(HeightSource& source, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c
       const double v = ((i - a.x) * (c.z - a.z) - (c.x - a.x) * (k - a.z)) / area;
       const double w = ((b.x - a.x) * (k - a.z) - (i - a.x) * (b.z - a.z)) / area;
       if (v < kEdge || w < kEdge || 1.0 - v - w < kEdge) continue;
-      float& value = source.values[static_cast<std::size_t>(k) * static_cast<std::size_t>(source.samples.x) + static_cast<std::size_t>(i)];
+      float& value = source.values[static_cast<std::size_t>(k) * static_cast<std::size_t>(source.samples.x) +
+                                   static_cast<std::size_t>(i)];
       value = std::max(value, static_cast<float>(a.y + v * (b.y - a.y) + w * (c.y - a.y)));
     }
   }
@@ -309,7 +320,8 @@ Result<TriangleMesh> readMesh(const fs::path& file, const LoadWatch& watch) {
   return Collector(*model, file).collect();
 }
 
-Result<std::shared_ptr<HeightSource>> heightsOfMesh(const TriangleMesh& mesh, const fs::path& file, const LoadWatch& watch) {
+Result<std::shared_ptr<HeightSource>> heightsOfMesh(const TriangleMesh& mesh, const fs::path& file,
+                                                    const LoadWatch& watch) {
   glm::vec3 low = mesh.vertices[mesh.indices.front()], high = low;
   for (const std::uint32_t index : mesh.indices) {
     low = glm::min(low, mesh.vertices[index]);
@@ -320,14 +332,18 @@ Result<std::shared_ptr<HeightSource>> heightsOfMesh(const TriangleMesh& mesh, co
   source->low = {low.x, low.z};
   source->size = {high.x - low.x, high.z - low.z};
   const float longest = std::max(source->size.x, source->size.y), shortest = std::min(source->size.x, source->size.y);
-  if (!(shortest > 1e-4f) || !(shortest > longest * 1e-3f)) return refuse(file, "covers no ground: it is a wall or a line seen from above");
-  const double along = std::clamp(2.0 * std::sqrt(0.5 * static_cast<double>(source->triangles)), 256.0, double(kMaxHeightSamples));
+  if (!(shortest > 1e-4f) || !(shortest > longest * 1e-3f))
+    return refuse(file, "covers no ground: it is a wall or a line seen from above");
+  const double along =
+      std::clamp(2.0 * std::sqrt(0.5 * static_cast<double>(source->triangles)), 256.0, double(kMaxHeightSamples));
   source->samples = glm::max(glm::ivec2(glm::round(source->size / longest * static_cast<float>(along))), glm::ivec2(2));
-  source->values.assign(static_cast<std::size_t>(source->samples.x) * static_cast<std::size_t>(source->samples.y), kNothing);
+  source->values.assign(static_cast<std::size_t>(source->samples.x) * static_cast<std::size_t>(source->samples.y),
+                        kNothing);
   const glm::dvec2 perMetre = glm::dvec2(source->samples - 1) / glm::dvec2(source->size);
   const auto onGrid = [&](std::uint32_t index) {
     const glm::dvec3 at(mesh.vertices[index]);
-    return glm::dvec3((at.x - static_cast<double>(low.x)) * perMetre.x, at.y, (at.z - static_cast<double>(low.z)) * perMetre.y);
+    return glm::dvec3((at.x - static_cast<double>(low.x)) * perMetre.x, at.y,
+                      (at.z - static_cast<double>(low.z)) * perMetre.y);
   };
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     if (watch && t % 300'000 == 0) {

@@ -6,8 +6,8 @@
 namespace windloom {
 
 struct TriangleMesh {
-  std::vector<glm::vec3> vertices;      ///< m, +y up
-  std::vector<std::uint32_t> indices;   ///< three a triangle, all below vertices.size()
+  std::vector<glm::vec3> vertices;     ///< m, +y up
+  std::vector<std::uint32_t> indices;  ///< three a triangle, all below vertices.size()
 };
 
 /// Fails as readTerrainFile does.

@@ -174,7 +174,8 @@ std::optional<float> hitHeights(const HeightField& field, glm::vec3 origin, glm:
   double from = 0, to = static_cast<double>(reach);
   const double y = static_cast<double>(origin.y), down = static_cast<double>(direction.y);
   const double margin = 1e-3 + 1e-5 * static_cast<double>(std::abs(field.highest()) + std::abs(field.lowest()));
-  const double top = static_cast<double>(field.highest()) + margin, bottom = static_cast<double>(field.lowest()) - margin;
+  const double top = static_cast<double>(field.highest()) + margin,
+               bottom = static_cast<double>(field.lowest()) - margin;
   if (down < 0) {
     from = std::max(from, (top - y) / down);
     to = std::min(to, (bottom - y) / down);

@@ -55,7 +55,8 @@ std::vector<glm::vec4> makeGroundLight(const HeightField& field, glm::vec3 towar
       const float x = (field.at(left, k) - field.at(right, k)) / (static_cast<float>(right - left) * spacing.x);
       const float z = (field.at(i, near) - field.at(i, far)) / (static_cast<float>(far - near) * spacing.y);
       const float scale = 1.0f / std::sqrt(1.0f + x * x + z * z);
-      light.emplace_back(x * scale, z * scale, std::clamp(shadow[light.size()] - field.at(i, k), kDeepest, kHighest), 0.0f);
+      light.emplace_back(x * scale, z * scale, std::clamp(shadow[light.size()] - field.at(i, k), kDeepest, kHighest),
+                         0.0f);
     }
   }
   return light;

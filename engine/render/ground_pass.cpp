@@ -32,7 +32,9 @@ std::vector<std::uint32_t> latticeIndices(int level) {
 
 Result<GroundPass> GroundPass::create(gpu::ShaderLibrary& shaders) {
   GroundPass pass;
-  if (Status loaded = loadPrograms(shaders, {{"terrain/ground mesh", &pass.m_full}, {"terrain/ground mesh quick", &pass.m_quick}}); !loaded) {
+  if (Status loaded =
+          loadPrograms(shaders, {{"terrain/ground mesh", &pass.m_full}, {"terrain/ground mesh quick", &pass.m_quick}});
+      !loaded) {
     return loaded.error();
   }
   // Flat ground reads neither, but samplers want a texture.
@@ -49,7 +51,8 @@ Status GroundPass::makeLattices() {
   if (m_indices[0].name() != 0) return Done{};
   for (int level = 0; level < GROUND_LEVELS; ++level) {
     const auto at = static_cast<std::size_t>(level);
-    Result<gpu::Buffer> indices = gpu::Buffer::create("ground lattice", std::span<const std::uint32_t>(latticeIndices(level)));
+    Result<gpu::Buffer> indices =
+        gpu::Buffer::create("ground lattice", std::span<const std::uint32_t>(latticeIndices(level)));
     if (!indices) return indices.error();
     m_indices[at] = std::move(*indices);
     m_lattices[at] = gpu::VertexArray::create("ground");
@@ -67,9 +70,11 @@ Status GroundPass::configure(Shared<HeightField> heights, glm::vec3 towardsSun) 
   if (Status made = makeLattices(); !made) return made;
   const HeightSource& source = *heights->source;
   if (!m_heights || m_heights->source != heights->source) {
-    Result<gpu::Texture> texture = gpu::Texture::create2D("ground heights", source.samples, GL_R32F, {.filter = gpu::Filter::Nearest});
+    Result<gpu::Texture> texture =
+        gpu::Texture::create2D("ground heights", source.samples, GL_R32F, {.filter = gpu::Filter::Nearest});
     if (!texture) return texture.error();
-    Result<gpu::Texture> light = gpu::Texture::create2D("ground light", source.samples, GL_RGBA16F, {.levels = 0, .filter = gpu::Filter::Trilinear});
+    Result<gpu::Texture> light = gpu::Texture::create2D("ground light", source.samples, GL_RGBA16F,
+                                                        {.levels = 0, .filter = gpu::Filter::Trilinear});
     if (!light) return light.error();
     texture->upload(GL_RED, GL_FLOAT, source.values.data());
     m_heightTexture = std::move(*texture);
@@ -87,13 +92,16 @@ void GroundPass::bind() const {
   m_lightTexture.bind(RENDER_TEXTURE_GROUND_LIGHT);
 }
 
-void GroundPass::draw(const gpu::PassState& state, const FrameBlock& frame, const ViewCamera& camera, Backdrop::GroundDetail detail) {
+void GroundPass::draw(const gpu::PassState& state, const FrameBlock& frame, const ViewCamera& camera,
+                      Backdrop::GroundDetail detail) {
   const gpu::DebugGroup group("ground mesh");
   const bool full = detail == Backdrop::GroundDetail::Full;
   const glm::vec2 eye(camera.position.x, camera.position.z);
   const float away = glm::length(eye - glm::clamp(eye, m_heights->low, m_heights->low + m_heights->size));
-  const float reach = away + (camera.orthographic ? 4.0f * camera.orthographicHeight + camera.farPlane : 0.98f * camera.farPlane);
-  const GroundSelection selection = selectGroundTiles(*m_heights, m_tiles, frame, reach, full ? kFullPixels : kQuickPixels, full ? kFullTriangles : kQuickTriangles);
+  const float reach =
+      away + (camera.orthographic ? 4.0f * camera.orthographicHeight + camera.farPlane : 0.98f * camera.farPlane);
+  const GroundSelection selection = selectGroundTiles(
+      *m_heights, m_tiles, frame, reach, full ? kFullPixels : kQuickPixels, full ? kFullTriangles : kQuickTriangles);
   std::vector<GroundTile> tiles;
   for (const auto& level : selection.levels) tiles.insert(tiles.end(), level.begin(), level.end());
   if (tiles.empty()) return;

@@ -24,7 +24,8 @@ class GroundPass {
   /// Binds the textures for all passes of a frame.
   void bind() const;
   /// Uneven ground only. `frame` is what the bound frame block holds.
-  void draw(const gpu::PassState& state, const FrameBlock& frame, const ViewCamera& camera, Backdrop::GroundDetail detail);
+  void draw(const gpu::PassState& state, const FrameBlock& frame, const ViewCamera& camera,
+            Backdrop::GroundDetail detail);
   [[nodiscard]] bool flat() const { return m_heights == nullptr; }
 
  private:

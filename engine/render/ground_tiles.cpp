@@ -21,8 +21,9 @@ float levelError(const HeightField& field, glm::ivec2 first, int level) {
       const bool betweenX = (i - first.x) % step != 0, betweenZ = (k - first.y) % step != 0;
       if (!betweenX && !betweenZ) continue;
       const int x = betweenX ? half : 0, z = betweenZ ? half : 0;
-      const float corners = betweenX && betweenZ ? 0.25f * (at(i - x, k - z) + at(i + x, k - z) + at(i - x, k + z) + at(i + x, k + z))
-                                                 : 0.5f * (at(i - x, k - z) + at(i + x, k + z));
+      const float corners = betweenX && betweenZ
+                                ? 0.25f * (at(i - x, k - z) + at(i + x, k - z) + at(i - x, k + z) + at(i + x, k + z))
+                                : 0.5f * (at(i - x, k - z) + at(i + x, k + z));
       error = std::max(error, std::abs(at(i, k) - corners));
     }
   }
@@ -32,7 +33,12 @@ float levelError(const HeightField& field, glm::ivec2 first, int level) {
 class Selector {
  public:
   Selector(const HeightField& field, const GroundTiles& tiles, const FrameBlock& frame, float reach)
-      : m_field(field), m_tiles(tiles), m_frame(frame), m_reach(reach), m_size(tiles.count + 2), m_level(static_cast<std::size_t>(m_size.x) * static_cast<std::size_t>(m_size.y)) {}
+      : m_field(field),
+        m_tiles(tiles),
+        m_frame(frame),
+        m_reach(reach),
+        m_size(tiles.count + 2),
+        m_level(static_cast<std::size_t>(m_size.x) * static_cast<std::size_t>(m_size.y)) {}
 
   GroundSelection select(float pixels) {
     for (int z = 1; z <= m_tiles.count.y; ++z) {
@@ -58,11 +64,15 @@ class Selector {
   }
 
  private:
-  int& level(glm::ivec2 tile) { return m_level[static_cast<std::size_t>(tile.y) * static_cast<std::size_t>(m_size.x) + static_cast<std::size_t>(tile.x)]; }
+  int& level(glm::ivec2 tile) {
+    return m_level[static_cast<std::size_t>(tile.y) * static_cast<std::size_t>(m_size.x) +
+                   static_cast<std::size_t>(tile.x)];
+  }
 
   const GroundTiles::Tile& inside(glm::ivec2 tile) const {
     const glm::ivec2 at = glm::clamp(tile, glm::ivec2(1), m_tiles.count) - 1;
-    return m_tiles.tiles[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(m_tiles.count.x) + static_cast<std::size_t>(at.x)];
+    return m_tiles.tiles[static_cast<std::size_t>(at.y) * static_cast<std::size_t>(m_tiles.count.x) +
+                         static_cast<std::size_t>(at.x)];
   }
 
   GroundTile tileAt(glm::ivec2 tile) {
@@ -72,7 +82,8 @@ class Selector {
       const glm::ivec2 next = glm::clamp(tile + ways[side], glm::ivec2(0), m_size - 1);
       around |= static_cast<std::uint32_t>(std::max(level(next), level(tile))) << (8 * side);
     }
-    return {static_cast<std::uint32_t>(tile.x), static_cast<std::uint32_t>(tile.y), static_cast<std::uint32_t>(level(tile)), around};
+    return {static_cast<std::uint32_t>(tile.x), static_cast<std::uint32_t>(tile.y),
+            static_cast<std::uint32_t>(level(tile)), around};
   }
 
   struct Box {
@@ -87,7 +98,9 @@ class Selector {
       const int first = (tile[axis] - 1) * kSide;
       const bool before = tile[axis] == 0, behind = tile[axis] > m_tiles.count[axis];
       box.low[out] = before ? low - m_reach : behind ? high : low + spacing * static_cast<float>(first);
-      box.high[out] = before ? low : behind ? high + m_reach : low + spacing * static_cast<float>(std::min(first + kSide, last));
+      box.high[out] = before   ? low
+                      : behind ? high + m_reach
+                               : low + spacing * static_cast<float>(std::min(first + kSide, last));
     }
     return box;
   }
@@ -146,8 +159,8 @@ GroundTiles measureGroundTiles(const HeightField& field) {
   return tiles;
 }
 
-GroundSelection selectGroundTiles(const HeightField& field, const GroundTiles& tiles, const FrameBlock& frame, float reach,
-                                  float pixels, long mostTriangles) {
+GroundSelection selectGroundTiles(const HeightField& field, const GroundTiles& tiles, const FrameBlock& frame,
+                                  float reach, float pixels, long mostTriangles) {
   Selector selector(field, tiles, frame, reach);
   GroundSelection selection = selector.select(pixels);
   for (int tries = 0; tries < 12 && selection.triangles > mostTriangles; ++tries) {

@@ -34,7 +34,7 @@ struct GroundSelection {
   std::array<std::vector<GroundTile>, GROUND_LEVELS> levels;
   long triangles = 0;
 };
-GroundSelection selectGroundTiles(const HeightField& field, const GroundTiles& tiles, const FrameBlock& frame, float reach,
-                                  float pixels, long mostTriangles);
+GroundSelection selectGroundTiles(const HeightField& field, const GroundTiles& tiles, const FrameBlock& frame,
+                                  float reach, float pixels, long mostTriangles);
 
 }  // namespace windloom

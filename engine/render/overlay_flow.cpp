@@ -33,12 +33,16 @@ Result<FlowPass> FlowPass::create(gpu::ShaderLibrary& shaders) {
 }
 
 void FlowPass::fit(Seeds& seeds, const FrameInput& input, float pixels) {
-  if (seeds.camera == input.camera && seeds.size == input.size && seeds.field == input.project->field) return;
+  const Shared<HeightField>& ground = input.project->terrain->heights;
+  if (seeds.camera == input.camera && seeds.size == input.size && seeds.field == input.project->field &&
+      seeds.ground == ground)
+    return;
   seeds.camera = input.camera;
   seeds.size = input.size;
   seeds.field = input.project->field;
+  seeds.ground = ground;
   const std::vector<FlowSeed> made =
-      makeFlowSeeds(input.camera, input.size, *seeds.field, pixels * pixelUnit(input.size));
+      makeFlowSeeds(input.camera, input.size, *seeds.field, pixels * pixelUnit(input.size), ground.get());
   seeds.count = 0;
   if (made.empty()) return;
   const std::size_t bytes = made.size() * sizeof(FlowSeed);

@@ -26,6 +26,7 @@ class FlowPass {
     ViewCamera camera;
     glm::ivec2 size{0};
     Shared<FieldSettings> field;
+    Shared<HeightField> ground;
   };
   static void fit(Seeds& seeds, const FrameInput& input, float pixels);
   bool fitLines();

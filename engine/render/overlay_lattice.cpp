@@ -13,12 +13,12 @@ constexpr std::size_t kMostSeeds = 8192;    // about three times what a 4K pictu
 constexpr float kMargin = 1.15f;            // of the picture, for marks that reach in
 constexpr float kLeastSlant = 0.15f;
 
-/// Where a ray through the picture meets the ground, or the field's height far away along it.
-glm::vec2 onGround(const glm::mat4& inverse, glm::vec2 clip, float reach) {
+/// Where a ray through the picture meets the height `y`, or the field's height far away along it.
+glm::vec2 onGround(const glm::mat4& inverse, glm::vec2 clip, float y, float reach) {
   const glm::vec4 a = inverse * glm::vec4(clip, -1.0f, 1.0f), b = inverse * glm::vec4(clip, 1.0f, 1.0f);
   const glm::vec3 from = glm::vec3(a) / a.w, to = glm::vec3(b) / b.w;
   const glm::vec3 ray = glm::normalize(to - from);
-  const float distance = ray.y < -1e-4f ? std::min(-from.y / ray.y, reach) : reach;
+  const float distance = ray.y < -1e-4f ? std::clamp((y - from.y) / ray.y, 0.0f, reach) : reach;
   return {from.x + ray.x * distance, from.z + ray.z * distance};
 }
 
@@ -30,8 +30,9 @@ float smooth(float low, float high, float x) {
 /// Pixels that a metre of ground covers at places of the picture.
 class Projector {
  public:
-  Projector(const ViewCamera& camera, glm::ivec2 size)
+  Projector(const ViewCamera& camera, glm::ivec2 size, const HeightField* ground)
       : m_camera(camera),
+        m_ground(ground),
         m_toClip(camera.projection(static_cast<float>(size.x) / static_cast<float>(size.y)) * camera.view()),
         m_forward(glm::normalize(camera.target - camera.position)) {
     const auto height = static_cast<float>(size.y);
@@ -41,7 +42,7 @@ class Projector {
 
   /// 0 outside the picture. The geometric mean of the scales along and across the view.
   [[nodiscard]] float pixelsPerMetre(glm::vec2 place) const {
-    const glm::vec3 world(place.x, 0.0f, place.y);
+    const glm::vec3 world(place.x, m_ground != nullptr ? heightAt(*m_ground, place) : 0.0f, place.y);
     const glm::vec4 clip = m_toClip * glm::vec4(world, 1.0f);
     const float limit = kMargin * clip.w;
     if (clip.w <= 0.0f || std::abs(clip.x) > limit || std::abs(clip.y) > limit) return 0.0f;
@@ -56,6 +57,7 @@ class Projector {
 
  private:
   const ViewCamera& m_camera;
+  const HeightField* m_ground;
   glm::mat4 m_toClip;
   glm::vec3 m_forward;
   float m_scale = 1.0f;
@@ -80,7 +82,7 @@ void addLattice(std::vector<FlowSeed>& seeds, const Projector& view, const Groun
 
 }  // namespace
 
-GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field) {
+GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field, const HeightField* ground) {
   const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
   const glm::mat4 inverse = glm::inverse(camera.projection(aspect) * camera.view());
   const glm::vec2 fieldLow = field.centre - 0.5f * field.size, fieldHigh = field.centre + 0.5f * field.size;
@@ -89,9 +91,11 @@ GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettin
   GroundArea area{glm::vec2(1e30f), glm::vec2(-1e30f)};
   for (const float x : {-1.0f, 0.0f, 1.0f}) {
     for (const float y : {-1.0f, 0.0f, 1.0f}) {
-      const glm::vec2 at = onGround(inverse, {x, y}, reach);
-      area.low = glm::min(area.low, at);
-      area.high = glm::max(area.high, at);
+      for (const float height : {ground != nullptr ? ground->lowest() : 0.0f, ground != nullptr ? ground->highest() : 0.0f}) {
+        const glm::vec2 at = onGround(inverse, {x, y}, height, reach);
+        area.low = glm::min(area.low, at);
+        area.high = glm::max(area.high, at);
+      }
     }
   }
   // Uneven ground shows a little more of itself than a plane does.
@@ -102,11 +106,11 @@ GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettin
 }
 
 std::vector<FlowSeed> makeFlowSeeds(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field,
-                                    float pixels) {
+                                    float pixels, const HeightField* ground) {
   std::vector<FlowSeed> seeds;
-  const GroundArea seen = seenArea(camera, size, field);
+  const GroundArea seen = seenArea(camera, size, field, ground);
   if (seen.empty()) return seeds;
-  const Projector view(camera, size);
+  const Projector view(camera, size, ground);
   const glm::vec2 foot{camera.position.x, camera.position.z};
   // Coarse first: where there are too many, fine ones near the camera are left out.
   for (int level = kCoarsest; level >= kFinest; --level) {

@@ -13,15 +13,17 @@ namespace windloom {
 using shared::FlowSeed;
 
 /// The ground rectangle that holds all of the field that the camera sees; size 0 where it sees none of it.
+/// `ground` null: flat.
 struct GroundArea {
   glm::vec2 low{0.0f}, high{0.0f};  ///< m
   [[nodiscard]] bool empty() const { return low.x >= high.x || low.y >= high.y; }
 };
-GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field);
+GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field,
+                    const HeightField* ground = nullptr);
 
 /// Seeds in the picture, on square lattices of 2^k m: each lattice where it measures `pixels` to 2.5 x `pixels` in
 /// the picture, blended at both ends of that range, so that nothing appears or goes at once. Same camera, same seeds.
 std::vector<FlowSeed> makeFlowSeeds(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field,
-                                    float pixels);
+                                    float pixels, const HeightField* ground = nullptr);
 
 }  // namespace windloom

@@ -94,7 +94,7 @@ bool MapPass::drawSmall(const FrameInput& input, const GroundArea& area, int gra
 
 void MapPass::draw(const FrameInput& input, gpu::PassState state, OverlayLift lift, OverlayDetail detail) {
   const Overlays& overlays = input.overlays;
-  const GroundArea area = seenArea(input.camera, input.size, *input.project->field);
+  const GroundArea area = seenArea(input.camera, input.size, *input.project->field, input.project->terrain->heights.get());
   if (overlays.map == GroundMap::None || area.empty()) return;
   const int grain = grainOf(overlays.map, detail);
   m_divergence->set("range", std::max(overlays.divergenceRange, 1e-6f));

@@ -69,7 +69,9 @@ int skyline(const Picture& with, const Picture& empty, int x) {
 
 TEST_F(Ground, RidgesReachAsHighAsTheProjectionSays) {
   const Picture empty = picture();
-  const auto ridge = [](glm::vec2 p) { return 9.0f * std::exp(-p.y * p.y / 18.0f) * (0.75f + 0.25f * std::sin(0.3f * p.x)); };
+  const auto ridge = [](glm::vec2 p) {
+    return 9.0f * std::exp(-p.y * p.y / 18.0f) * (0.75f + 0.25f * std::sin(0.3f * p.x));
+  };
   m_project.terrain = terrainOf(heightsFrom({257, 257}, {60, 60}, ridge));
   const Picture hills = picture();
   for (const float x : {-9.0f, -4.0f, 0.0f, 3.0f, 8.0f}) {
@@ -90,7 +92,8 @@ TEST_F(Ground, EdgesGoOnToTheHorizon) {
 }
 
 TEST_F(Ground, GrassStandsOnIt) {
-  const auto slope = heightsFrom({65, 65}, {60, 60}, [](glm::vec2 p) { return 3.0f + 2.5f * std::sin(0.2f * p.x) * std::cos(0.17f * p.y); });
+  const auto slope = heightsFrom(
+      {65, 65}, {60, 60}, [](glm::vec2 p) { return 3.0f + 2.5f * std::sin(0.2f * p.x) * std::cos(0.17f * p.y); });
   m_project.terrain = terrainOf(slope);
   setDensity(40.0f);
   (void)picture();
@@ -111,7 +114,8 @@ TEST_F(Ground, GrassStandsOnIt) {
     std::vector<shared::GrassBlade> list(commands.draws[static_cast<std::size_t>(level) * 4 + 1]);
     const std::size_t size = sizeof(shared::GrassBlade);
     if (!list.empty()) {
-      glGetNamedBufferSubData(static_cast<GLuint>(bladesName), static_cast<GLintptr>(start * size), static_cast<GLsizeiptr>(list.size() * size), list.data());
+      glGetNamedBufferSubData(static_cast<GLuint>(bladesName), static_cast<GLintptr>(start * size),
+                              static_cast<GLsizeiptr>(list.size() * size), list.data());
     }
     blades.insert(blades.end(), list.begin(), list.end());
     start += room[level];
@@ -131,7 +135,8 @@ TEST_F(Ground, GrassStandsOnIt) {
 TEST_F(Ground, SlopesAwayFromTheSunAreDarker) {
   m_input.camera = testing::above({0, 0}, 20.0f);
   const auto lean = [&](float sign) {
-    m_project.terrain = terrainOf(heightsFrom({33, 33}, {200, 200}, [&](glm::vec2 p) { return 30.0f + sign * 0.3f * (p.x + p.y) / 1.414f; }));
+    m_project.terrain = terrainOf(
+        heightsFrom({33, 33}, {200, 200}, [&](glm::vec2 p) { return 30.0f + sign * 0.3f * (p.x + p.y) / 1.414f; }));
     return glm::dot(picture().mean({0, 0}, {320, 180}), glm::vec3(1.0f / 3.0f));
   };
   // The sun stands over -x, -z: ground that rises towards +x, +z faces it.

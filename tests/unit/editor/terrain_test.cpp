@@ -76,7 +76,8 @@ TEST(GroundOfTheProject, FramingShowsTheHilltops) {
   b.w.camera = EditorCamera{};
   b.w.frame({});
   const ViewMapping view = b.w.view();
-  for (const glm::vec2 corner : {glm::vec2(-50, -50), glm::vec2(50, -50), glm::vec2(-50, 50), glm::vec2(50, 50), glm::vec2(16, 0)}) {
+  for (const glm::vec2 corner :
+       {glm::vec2(-50, -50), glm::vec2(50, -50), glm::vec2(-50, 50), glm::vec2(50, 50), glm::vec2(16, 0)}) {
     const auto pixel = view.groundToScreen(corner, b.w.ground);
     ASSERT_TRUE(pixel.has_value());
     EXPECT_TRUE(pixel->x >= 0 && pixel->y >= 0 && pixel->x <= 1000 && pixel->y <= 1000) << corner.x << ' ' << corner.y;

@@ -49,8 +49,8 @@ struct Gltf {
       const auto n = static_cast<std::uint32_t>(value);
       return std::string(reinterpret_cast<const char*>(&n), 4);
     };
-    return "glTF" + number(2) + number(12 + 8 + text.size() + 8 + 60) + number(text.size()) + "JSON" + text + number(60) +
-           std::string("BIN\0", 4) + bin();
+    return "glTF" + number(2) + number(12 + 8 + text.size() + 8 + 60) + number(text.size()) + "JSON" + text +
+           number(60) + std::string("BIN\0", 4) + bin();
   }
 };
 
@@ -152,7 +152,8 @@ TEST_F(TerrainFiles, MeshesAreSeenFromAbove) {
 
 TEST_F(TerrainFiles, NodesPlaceTheirMeshes) {
   Gltf turned;  // a quarter turn about y takes +x to -z; then twice as large, 5 m up
-  turned.node = R"("mesh": 0, "translation": [0, 5, 0], "rotation": [0, 0.70710678, 0, 0.70710678], "scale": [2, 2, 2])";
+  turned.node =
+      R"("mesh": 0, "translation": [0, 5, 0], "rotation": [0, 0.70710678, 0, 0.70710678], "scale": [2, 2, 2])";
   const auto source = readTerrainFile(putGltf(turned), TerrainKind::Mesh);
   ASSERT_TRUE(source.ok()) << source.error().text();
   EXPECT_NEAR((*source)->low.x, 0, 1e-4f);

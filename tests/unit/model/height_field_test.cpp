@@ -36,8 +36,10 @@ float hills(glm::vec2 p) {
 }  // namespace
 
 TEST(HeightField, GivesSamplesAtTheirPlacesAndIsStraightBetween) {
-  const auto field = heightsFrom({5, 3}, {8, 4}, [](glm::vec2 p) { return 3.0f + 2.0f * p.x - p.y + 0.5f * p.x * p.y; });
-  for (const glm::vec2 p : {glm::vec2(-4, -2), glm::vec2(4, 2), glm::vec2(0, 0), glm::vec2(1.3f, -0.7f), glm::vec2(-3.9f, 1.99f)}) {
+  const auto field =
+      heightsFrom({5, 3}, {8, 4}, [](glm::vec2 p) { return 3.0f + 2.0f * p.x - p.y + 0.5f * p.x * p.y; });
+  for (const glm::vec2 p :
+       {glm::vec2(-4, -2), glm::vec2(4, 2), glm::vec2(0, 0), glm::vec2(1.3f, -0.7f), glm::vec2(-3.9f, 1.99f)}) {
     EXPECT_NEAR(heightAt(*field, p), 3.0f + 2.0f * p.x - p.y + 0.5f * p.x * p.y, 1e-4f);
   }
 }
@@ -78,7 +80,8 @@ TEST(HeightField, RaysMeetHillsWhereBruteForceSays) {
   int hit = 0;
   for (int n = 0; n < 400; ++n) {
     const glm::vec3 origin(wide(random), high(random), wide(random));
-    const glm::vec3 direction = glm::normalize(glm::vec3(way(random), way(random) - 0.3f, way(random)) + glm::vec3(1e-3f));
+    const glm::vec3 direction =
+        glm::normalize(glm::vec3(way(random), way(random) - 0.3f, way(random)) + glm::vec3(1e-3f));
     const auto found = hitHeights(*field, origin, direction, 150);
     const auto wanted = bruteForce(*field, origin, direction, 150);
     ASSERT_TRUE(found.has_value() || !wanted.has_value()) << "ray " << n;
@@ -115,7 +118,8 @@ TEST(HeightField, FollowsEditsOfItsPlaceWithoutAnotherCopy) {
   TerrainSettings moved = *project.terrain;
   moved.centre = {100, 0};
   moved.height = 2.0f;
-  const Result<Project> edited = applyEdit(project, {.label = "", .steps = {Set<TerrainSettings>{moved}}, .mergeKey = {}});
+  const Result<Project> edited =
+      applyEdit(project, {.label = "", .steps = {Set<TerrainSettings>{moved}}, .mergeKey = {}});
   ASSERT_TRUE(edited.ok());
   const auto& heights = edited->terrain->heights;
   ASSERT_TRUE(heights != nullptr);
@@ -124,16 +128,19 @@ TEST(HeightField, FollowsEditsOfItsPlaceWithoutAnotherCopy) {
 
   TerrainSettings coloured = *project.terrain;
   coloured.colour = {1, 0, 0};
-  const Result<Project> again = applyEdit(project, {.label = "", .steps = {Set<TerrainSettings>{coloured}}, .mergeKey = {}});
+  const Result<Project> again =
+      applyEdit(project, {.label = "", .steps = {Set<TerrainSettings>{coloured}}, .mergeKey = {}});
   EXPECT_EQ(again->terrain->heights, project.terrain->heights) << "a colour moves no ground";
 
   TerrainSettings flat = *project.terrain;
   flat.kind = TerrainKind::Flat;
-  EXPECT_EQ(applyEdit(project, {.label = "", .steps = {Set<TerrainSettings>{flat}}, .mergeKey = {}})->terrain->heights, nullptr);
+  EXPECT_EQ(applyEdit(project, {.label = "", .steps = {Set<TerrainSettings>{flat}}, .mergeKey = {}})->terrain->heights,
+            nullptr);
 }
 
 TEST(TerrainFile, MayNotLeaveTheProjectsFolder) {
-  for (const char* good : {"", "hills.png", "terrain/a b.glb", "a/b/..c.png"}) EXPECT_EQ(terrainFileProblem(good), "") << good;
+  for (const char* good : {"", "hills.png", "terrain/a b.glb", "a/b/..c.png"})
+    EXPECT_EQ(terrainFileProblem(good), "") << good;
   for (const char* bad : {"/etc/hills.png", "../hills.png", "a/../../b.png", "a\\b.png", "a//b.png", "./a.png", "a/"}) {
     EXPECT_NE(terrainFileProblem(bad), "") << bad;
     Project project;

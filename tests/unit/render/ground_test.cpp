@@ -90,7 +90,9 @@ TEST(GroundLight, HillsCastShadowsAsFarAsTheSunSays) {
   // A ridge 10 m high at x = 0; the sun stands at 45 degrees over +x.
   const auto ridge = heightsFrom({401, 5}, {100, 10}, [](glm::vec2 p) { return std::abs(p.x) < 0.5f ? 10.0f : 0.0f; });
   const auto light = makeGroundLight(*ridge, glm::normalize(glm::vec3(1, 1, 0)));
-  const auto shadowAt = [&](float x) { return light[static_cast<std::size_t>(2 * 401 + int(std::lround((x + 50) * 4)))].z; };
+  const auto shadowAt = [&](float x) {
+    return light[static_cast<std::size_t>(2 * 401 + int(std::lround((x + 50) * 4)))].z;
+  };
   EXPECT_LT(shadowAt(20), 0.0f) << "on the sunny side";
   EXPECT_NEAR(shadowAt(-4), 6.5f, 0.3f);
   EXPECT_NEAR(shadowAt(-9), 1.5f, 0.3f);
@@ -119,14 +121,16 @@ TEST(SolidsOnHills, StandOnTheLowestGroundAndRiseOverTheirCentre) {
 }
 
 TEST(FramingOnHills, ShowsEveryCornerOfTheField) {
-  const auto field = heightsFrom({65, 65}, {140, 140}, [](glm::vec2 p) { return 20.0f + 15.0f * std::sin(0.08f * p.x); });
+  const auto field =
+      heightsFrom({65, 65}, {140, 140}, [](glm::vec2 p) { return 20.0f + 15.0f * std::sin(0.08f * p.x); });
   for (const ViewCamera& camera : {frameField({}, field.get()), frameFieldFromAbove({}, field.get())}) {
     Project project;
     FrameInput input;
     input.project = &project;
     input.camera = camera;
     const FrameBlock block = makeFrameBlock(input, defaultLight());
-    for (const glm::vec2 corner : {glm::vec2(-50, -50), glm::vec2(50, -50), glm::vec2(-50, 50), glm::vec2(50, 50), glm::vec2(19, 0)}) {
+    for (const glm::vec2 corner :
+         {glm::vec2(-50, -50), glm::vec2(50, -50), glm::vec2(-50, 50), glm::vec2(50, 50), glm::vec2(19, 0)}) {
       const glm::vec3 at(corner.x, heightAt(*field, corner), corner.y);
       for (const glm::vec4& plane : block.frustum) EXPECT_GE(glm::dot(glm::vec3(plane), at) + plane.w, 0.0f);
     }
