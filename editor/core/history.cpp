@@ -47,6 +47,12 @@ std::size_t partBytes(const Project* before, const Project& project) {
   add(&Project::probes);
   add(&Project::cameras);
   add(&Project::extra);
+  // Edits of the terrain's place share its samples.
+  const auto samplesOf = [](const Project& of) {
+    return of.terrain->heights ? of.terrain->heights->source : std::shared_ptr<const HeightSource>();
+  };
+  const auto samples = samplesOf(project);
+  if (samples && (!before || samplesOf(*before) != samples)) bytes += samples->values.capacity() * sizeof(float);
   return bytes;
 }
 
