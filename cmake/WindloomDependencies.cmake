@@ -31,6 +31,18 @@ if(NOT TARGET PNG::PNG)
   message(FATAL_ERROR "libpng with its headers is needed (Debian: libpng-dev)")
 endif()
 
+find_package(TinyGLTF QUIET)
+if(TARGET TinyGLTF::TinyGLTF)
+  # An imported target can only be aliased where it is seen everywhere.
+  set_target_properties(TinyGLTF::TinyGLTF PROPERTIES IMPORTED_GLOBAL TRUE)
+  add_library(windloom_tinygltf ALIAS TinyGLTF::TinyGLTF)
+else()
+  set(TINYGLTF_BUILD_LOADER_EXAMPLE OFF CACHE BOOL "" FORCE)
+  set(TINYGLTF_INSTALL OFF CACHE BOOL "" FORCE)
+  windloom_fetch(tinygltf https://github.com/syoyo/tinygltf.git v2.7.0)
+  add_library(windloom_tinygltf ALIAS tinygltf)
+endif()
+
 pkg_check_modules(EPOXY QUIET IMPORTED_TARGET epoxy)
 if(NOT TARGET PkgConfig::EPOXY)
   message(FATAL_ERROR "libepoxy with its headers is needed (Debian: libepoxy-dev)")
@@ -73,6 +85,8 @@ if(WINDLOOM_TESTS)
     add_library(GTest::gtest ALIAS gtest)
     add_library(GTest::gtest_main ALIAS gtest_main)
   endif()
+  # Micro-benchmarks are built where the library is there; no test needs them.
+  find_package(benchmark QUIET)
   # The tests' independent checks are Python scripts; the system's interpreter has Debian's numpy and
   # jsonschema packages, one found earlier on PATH may not.
   find_program(WINDLOOM_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)

@@ -11,8 +11,11 @@
 
 #include "editor/app/frame_picture.hpp"
 #include "editor/app/keys.hpp"
+#include "editor/core/help_page.hpp"
 #include "editor/widgets/number_field.hpp"
+#include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/io/terrain_file.hpp"
 
 namespace windloom::editor {
 
@@ -25,6 +28,11 @@ std::filesystem::path userFolder(const char* variable, const char* fallback) {
   return std::filesystem::path(home ? home : ".") / fallback / "windloom";
 }
 
+constexpr std::pair<const char*, float Overlays::*> kOverlayRanges[] = {
+    {"overlay.speedRange", &Overlays::speedRange},
+    {"overlay.divergenceRange", &Overlays::divergenceRange},
+    {"overlay.vorticityRange", &Overlays::vorticityRange}};
+
 /// Shortcuts of files work while a field is typed into, too.
 bool leavesField(const InputEvent& event, Key key) {
   const bool file = key == Key::S || key == Key::N || key == Key::O || key == Key::Q;
@@ -35,7 +43,7 @@ bool leavesField(const InputEvent& event, Key key) {
 
 Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
   const auto preferencesFile = userFolder("XDG_CONFIG_HOME", ".config") / "preferences.json";
-  const Preferences preferences = line.screenshot.empty() ? editor::readPreferences(preferencesFile) : Preferences{};
+  const Preferences preferences = line.unattended() ? Preferences{} : editor::readPreferences(preferencesFile);
   WindowOptions options;
   options.width = line.width.value_or(int(preferences.number("window.width", options.width)));
   options.height = line.height.value_or(int(preferences.number("window.height", options.height)));
@@ -87,6 +95,8 @@ void App::connect() {
     logInfo(text);
     m_workspace.say(MessageKind::Info, text);
   };
+  // By the time that the question is answered, the work may have ended.
+  flow.workUnderWay = [this] { return m_export.running() ? std::string("An export") : std::string(); };
   flow.onReplaced = [this, before = flow.onReplaced] {
     if (before) before();
     m_live->restart();
@@ -95,11 +105,11 @@ void App::connect() {
     m_workspace.preferences.usedFile(path);
     writePreferences();
   };
-  if (m_line.screenshot.empty()) m_dialogs.offerRescues(findRescues(m_autosave.sideFile().parent_path()));
+  if (!m_line.unattended()) m_dialogs.offerRescues(findRescues(m_autosave.sideFile().parent_path()));
 }
 
 void App::readPreferences() {
-  if (!m_line.screenshot.empty()) return;
+  if (m_line.unattended()) return;
   std::vector<std::string> warnings;
   m_workspace.preferences = editor::readPreferences(m_preferencesFile, &warnings);
   for (const std::string& warning : warnings) logWarning(warning);
@@ -108,21 +118,34 @@ void App::readPreferences() {
   m_layout.right = float(preferences.number("layout.right", double(m_layout.right)));
   m_layout.bottom = float(preferences.number("layout.bottom", double(m_layout.bottom)));
   m_layout.timeline = float(preferences.number("layout.timeline", double(m_layout.timeline)));
-  m_viewport.overlays.arrows = preferences.number("overlay.arrows", 1) != 0;
-  m_viewport.overlays.vectors = preferences.number("overlay.vectors", 0) != 0;
-  m_viewport.overlays.speed = preferences.number("overlay.speed", 0) != 0;
+  m_live->setLiveGrid(preferences.number("play.fullGrid", 0) != 0 ? LiveGrid::Full : LiveGrid::Automatic);
+  readOverlays();
+}
+
+void App::readOverlays() {
+  const Preferences& preferences = m_workspace.preferences;
+  Overlays& overlays = m_viewport.overlays;
+  for (const OverlayKind& kind : overlayKinds()) {
+    setOn(overlays, kind, preferences.number("overlay." + std::string(kind.name), isOn(overlays, kind)) != 0);
+  }
+  for (const auto& [name, range] : kOverlayRanges) {
+    const double value = preferences.number(name, double(overlays.*range));
+    if (value >= kLeastRange && value <= kGreatestRange) overlays.*range = float(value);
+  }
 }
 
 void App::writePreferences() {
-  if (!m_line.screenshot.empty()) return;
+  if (m_line.unattended()) return;
   auto& numbers = m_workspace.preferences.numbers;
   numbers["layout.left"] = double(m_layout.left);
   numbers["layout.right"] = double(m_layout.right);
   numbers["layout.bottom"] = double(m_layout.bottom);
   numbers["layout.timeline"] = double(m_layout.timeline);
-  numbers["overlay.arrows"] = m_viewport.overlays.arrows;
-  numbers["overlay.vectors"] = m_viewport.overlays.vectors;
-  numbers["overlay.speed"] = m_viewport.overlays.speed;
+  numbers["play.fullGrid"] = m_live->liveGrid() == LiveGrid::Full;
+  for (const OverlayKind& kind : overlayKinds()) {
+    numbers["overlay." + std::string(kind.name)] = isOn(m_viewport.overlays, kind);
+  }
+  for (const auto& [name, range] : kOverlayRanges) numbers[name] = double(m_viewport.overlays.*range);
   numbers["window.maximised"] = m_window->maximised();
   if (!m_window->maximised() && !m_line.width) {
     numbers["window.width"] = m_window->size().x;
@@ -146,6 +169,7 @@ void App::applyLook() {
 }
 
 int App::run() {
+  if (!m_line.keys.empty()) return writeKeys();
   while (!m_exit) {
     if (m_lookChanged) applyLook();
     m_window->beginFrame(waitSeconds(), typingPending());
@@ -159,6 +183,12 @@ int App::run() {
   m_autosave.finish();
   writePreferences();
   return *m_exit;
+}
+
+int App::writeKeys() const {
+  const Status status = writeFileAtomically(m_line.keys, helpMarkdown(helpPage(m_workspace.actions)));
+  if (!status) logError(status.error().text());
+  return status.ok() ? 0 : 3;
 }
 
 double App::waitSeconds() const {
@@ -213,7 +243,11 @@ void App::runAfterFields() {
 void App::openDropped() {
   for (const std::filesystem::path& path : m_window->takeDrops()) {
     if (path.string().ends_with(".json")) return m_workspace.flow.requestOpen(path);
-    m_workspace.say(MessageKind::Warning, path.filename().string() + ": drop a project, NAME.wind.json");
+    if (terrainKindOf(path)) {
+      m_workspace.loadTerrain(path);
+      continue;
+    }
+    m_workspace.say(MessageKind::Warning, path.filename().string() + ": drop a project (NAME.wind.json), or terrain (.png, .glb, .gltf)");
   }
 }
 
@@ -236,6 +270,14 @@ void App::tellMap() {
   map.fact("view", camera.orthographic && camera.pitch == 90 ? "top"
                    : camera.orthographic                     ? "orthographic"
                                                              : "perspective");
+  std::string overlays;
+  for (const OverlayKind& kind : overlayKinds()) {
+    if (!isOn(m_viewport.overlays, kind)) continue;
+    if (!overlays.empty()) overlays += ' ';
+    overlays += kind.name;
+  }
+  map.fact("overlays", overlays);
+  map.fact("terrain", document.project().terrain->heights ? document.project().terrain->file : "flat");
   map.fact("scene", m_live->session() ? "yes" : "no");
 }
 

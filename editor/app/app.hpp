@@ -47,9 +47,11 @@ class App {
   void registerSolverActions();
   void registerViewActions();
   void readPreferences();
+  void readOverlays();
   void writePreferences();
   void applyLook();
 
+  [[nodiscard]] int writeKeys() const;
   void frame();
   void passKeys();
   void runAfterFields();

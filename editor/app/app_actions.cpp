@@ -9,6 +9,25 @@
 
 namespace windloom::editor {
 
+namespace {
+
+struct OverlayEntry {
+  const char *name, *label, *help;
+  Key key;
+};
+
+constexpr OverlayEntry kOverlayEntries[] = {
+    {"arrows", "Arrows", "Wind trees as arrows on the ground, coloured by strength.", Key::Digit5},
+    {"streamlines", "Streamlines", "Short lines that run with the wind.", Key::Digit6},
+    {"vectors", "Wind vectors", "The wind on a regular grid.", Key::None},
+    {"speed", "Speed map", "Wind speed as colours on the ground.", Key::Digit7},
+    {"divergence", "Divergence map", "Where air gathers (blue) and spreads (orange).", Key::Digit8},
+    {"vorticity", "Vorticity map", "Where and which way the air turns: orange from +X towards +Z.", Key::None},
+    {"lic", "Line integral convolution", "Streaks along the wind that move with it, coloured by speed.", Key::Digit9},
+};
+
+}  // namespace
+
 void App::registerActions() {
   ActionTable& actions = m_workspace.actions;
   const auto hasSession = [this] { return m_live->session() != nullptr; };
@@ -148,18 +167,19 @@ void App::registerSolverActions() {
 
 void App::registerViewActions() {
   ActionTable& actions = m_workspace.actions;
-  const auto overlay = [&](const char* id, const char* label, const char* help, Key key, bool Overlays::*flag) {
-    actions.add({.id = id,
-                 .label = label,
+  for (const OverlayEntry& entry : kOverlayEntries) {
+    const OverlayKind* kind = findOverlay(entry.name);
+    WL_REQUIRE(kind != nullptr, "every entry names an overlay");
+    std::vector<Shortcut> shortcuts;
+    if (entry.key != Key::None) shortcuts.push_back({entry.key, {}});
+    actions.add({.id = "overlay." + std::string(entry.name),
+                 .label = entry.label,
                  .category = "View",
-                 .help = help,
-                 .shortcuts = {{key, {}}},
-                 .run = [this, flag] { m_viewport.overlays.*flag = !(m_viewport.overlays.*flag); },
-                 .checked = [this, flag] { return m_viewport.overlays.*flag; }});
-  };
-  overlay("overlay.arrows", "Arrows", "Wind trees as arrows on the ground.", Key::Digit5, &Overlays::arrows);
-  overlay("overlay.vectors", "Wind vectors", "The wind on a regular grid.", Key::Digit6, &Overlays::vectors);
-  overlay("overlay.speed", "Speed map", "Wind speed as colours on the ground.", Key::Digit7, &Overlays::speed);
+                 .help = entry.help,
+                 .shortcuts = std::move(shortcuts),
+                 .run = [this, kind] { setOn(m_viewport.overlays, *kind, !isOn(m_viewport.overlays, *kind)); },
+                 .checked = [this, kind] { return isOn(m_viewport.overlays, *kind); }});
+  }
   actions.add({.id = "view.full_quality",
                .label = "Full quality",
                .category = "View",

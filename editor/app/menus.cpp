@@ -1,6 +1,7 @@
 #include "editor/app/menus.hpp"
 
 #include <filesystem>
+#include <iterator>
 #include <string>
 
 #include "editor/widgets/icons.hpp"
@@ -67,8 +68,12 @@ constexpr ToolButton kTools[] = {
 };
 constexpr ToolButton kEdits[] = {{"edit.undo", icons::kUndo, "Undo"}, {"edit.redo", icons::kRedo, "Redo"}};
 constexpr ToolButton kOverlays[] = {{"overlay.arrows", icons::kArrow, "Arrows"},
+                                    {"overlay.streamlines", icons::kStreamlines, "Streamlines"},
                                     {"overlay.vectors", icons::kVectors, "Vectors"},
-                                    {"overlay.speed", icons::kSpeed, "Speed"}};
+                                    {"overlay.speed", icons::kSpeed, "Speed"},
+                                    {"overlay.divergence", icons::kDivergence, "Divergence"},
+                                    {"overlay.vorticity", icons::kVorticity, "Vorticity"},
+                                    {"overlay.lic", icons::kLic, "Streaks"}};
 
 void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
   const bool on = actions.checked(button.action);
@@ -92,6 +97,23 @@ void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
 void gap() {
   ImGui::Dummy({scaled(10), 1});
   ImGui::SameLine(0, 0);
+}
+
+/// In place of buttons that would not fit.
+void overlayMenu(ActionTable& actions) {
+  const bool pressed = ImGui::Button("Overlays");
+  markItem("toolbar/overlays");
+  if (pressed) ImGui::OpenPopup("overlays");
+  if (!ImGui::BeginPopup("overlays")) return;
+  for (const ToolButton& button : kOverlays) actionItem(actions, *actions.find(button.action));
+  ImGui::EndPopup();
+}
+
+/// With their names where there is room for all of them.
+void drawOverlayButtons(ActionTable& actions) {
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (room < scaled(35) * float(std::size(kOverlays))) return overlayMenu(actions);
+  for (const ToolButton& button : kOverlays) toolButton(actions, button, room > scaled(700));
 }
 
 }  // namespace
@@ -131,8 +153,7 @@ void drawToolbar(Workspace& workspace) {
   const bool playing = actions.checked("play.toggle");
   toolButton(actions, {"play.toggle", playing ? icons::kPause : icons::kPlay, playing ? "Pause" : "Play"}, false);
   gap();
-  const bool roomy = ImGui::GetContentRegionAvail().x > scaled(320);
-  for (const ToolButton& button : kOverlays) toolButton(actions, button, roomy);
+  drawOverlayButtons(actions);
 }
 
 }  // namespace windloom::editor

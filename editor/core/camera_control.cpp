@@ -47,7 +47,8 @@ CameraPose EditorCamera::pose() const {
   pose.fieldOfView = fieldOfView;
   pose.orthographic = orthographic;
   pose.orthographicHeight = 2.0f * halfHeight(*this);
-  pose.nearPlane = std::clamp(0.01f * distance, 0.05f, 1.0f);
+  // Hills between eye and target, or behind the eye, belong to a view without perspective as well.
+  pose.nearPlane = orthographic ? -1000.0f : std::clamp(0.01f * distance, 0.05f, 1.0f);
   pose.farPlane = std::max(2000.0f, 4.0f * distance);
   return pose;
 }
@@ -153,20 +154,25 @@ EditorCamera lookAlong(EditorCamera camera, ViewDirection direction) {
   return camera;
 }
 
-EditorCamera frameBounds(EditorCamera camera, glm::vec2 low, glm::vec2 high, glm::vec2 viewport) {
+EditorCamera frameBounds(EditorCamera camera, glm::vec2 low, glm::vec2 high, glm::vec2 viewport, const Ground& ground) {
   const glm::vec2 centre = 0.5f * (low + high);
-  camera.target = {centre.x, camera.target.y, centre.y};
+  HeightRange heights{camera.target.y, camera.target.y};
+  if (ground.height) heights = heightsOver(*ground.height, low, high);
+  const float half = 0.5f * (heights.highest - heights.lowest);
+  camera.target = {centre.x, heights.lowest + half, centre.y};
   constexpr float kMargin = 1.2f;
   const float aspect = std::max(0.1f, viewport.x / std::max(1.0f, viewport.y));
   const float tangent = std::tan(0.5f * glm::radians(camera.fieldOfView));
   float distance = 1.0f / tangent;
   for (const glm::vec2 corner : {low, high, glm::vec2(low.x, high.y), glm::vec2(high.x, low.y)}) {
-    const glm::vec3 offset(corner.x - centre.x, 0.0f, corner.y - centre.y);
-    const float across =
-        std::max(std::abs(glm::dot(offset, camera.right())) / aspect, std::abs(glm::dot(offset, camera.up())));
-    // What lies nearer than the target looks larger in perspective.
-    const float nearer = camera.orthographic ? 0.0f : -glm::dot(offset, camera.forward());
-    distance = std::max(distance, kMargin * across / tangent + nearer);
+    for (const float y : {-half, half}) {
+      const glm::vec3 offset(corner.x - centre.x, y, corner.y - centre.y);
+      const float across =
+          std::max(std::abs(glm::dot(offset, camera.right())) / aspect, std::abs(glm::dot(offset, camera.up())));
+      // What lies nearer than the target looks larger in perspective.
+      const float nearer = camera.orthographic ? 0.0f : -glm::dot(offset, camera.forward());
+      distance = std::max(distance, kMargin * across / tangent + nearer);
+    }
   }
   camera.distance = std::clamp(distance, kMinDistance, kMaxDistance);
   return camera;

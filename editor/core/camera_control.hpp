@@ -77,7 +77,7 @@ EditorCamera lookAround(EditorCamera camera, glm::vec2 delta);
 EditorCamera fly(EditorCamera camera, glm::vec3 move, float metresPerSecond, float seconds);
 /// Orthographic along an axis; keeps target and distance.
 EditorCamera lookAlong(EditorCamera camera, ViewDirection direction);
-/// Shows the box given by two ground corners with a margin.
-EditorCamera frameBounds(EditorCamera camera, glm::vec2 low, glm::vec2 high, glm::vec2 viewport);
+/// Shows the box given by two ground corners with a margin; on uneven ground with the hills in it.
+EditorCamera frameBounds(EditorCamera camera, glm::vec2 low, glm::vec2 high, glm::vec2 viewport, const Ground& ground = {});
 
 }  // namespace windloom::editor

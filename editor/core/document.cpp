@@ -2,6 +2,7 @@
 
 #include "engine/core/log.hpp"
 #include "engine/io/project_json.hpp"
+#include "engine/io/terrain_copy.hpp"
 
 namespace windloom::editor {
 
@@ -14,7 +15,7 @@ Status Document::apply(const Edit& edit) {
   if (!result) return result.error();
   if (result->sameAs(committed())) return Done{};
   m_history.push(std::move(*result), edit.label, edit.mergeKey);
-  touched();
+  committedChanged();
   return Done{};
 }
 
@@ -42,21 +43,21 @@ bool Document::endPreview() {
 bool Document::undo() {
   endPreview();
   if (!m_history.undo()) return false;
-  touched();
+  committedChanged();
   return true;
 }
 
 bool Document::redo() {
   endPreview();
   if (!m_history.redo()) return false;
-  touched();
+  committedChanged();
   return true;
 }
 
 bool Document::jump(std::size_t entry) {
   endPreview();
   if (entry == m_history.position() || !m_history.jump(entry)) return false;
-  touched();
+  committedChanged();
   return true;
 }
 
@@ -76,20 +77,22 @@ std::string Document::title() const {
 void Document::startNew(Project start) {
   endPreview();
   m_history = History(std::move(start));
+  m_missing.clear();
   m_path.clear();
   m_rescuedFrom.clear();
-  touched();
+  committedChanged();
 }
 
 Status Document::open(const std::filesystem::path& path) {
   Result<LoadedProject> loaded = loadProject(path);
   if (!loaded) return loaded.error();
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
+  m_missing = std::move(loaded->missing);
   endPreview();
   m_history = History(std::move(loaded->project));
   m_path = path;
   m_rescuedFrom.clear();
-  touched();
+  committedChanged();
   return Done{};
 }
 
@@ -99,6 +102,12 @@ Status Document::save() {
 }
 
 Status Document::saveAs(const std::filesystem::path& path) {
+  if (!m_path.empty()) {
+    std::error_code ignored;
+    const auto folderOf = [&](const std::filesystem::path& file) { return std::filesystem::absolute(file, ignored).parent_path(); };
+    const Status copied = copyTerrainAlong(committed().terrain->file, folderOf(m_path), folderOf(path));
+    if (!copied) return copied;
+  }
   const Status status = saveProject(committed(), path);
   if (!status) return status;
   m_path = path;
@@ -113,7 +122,7 @@ void Document::recover(Project project, std::filesystem::path path, std::filesys
   m_history.markUnsaved();
   m_path = std::move(path);
   m_rescuedFrom = std::move(sideFile);
-  touched();
+  committedChanged();
 }
 
 }  // namespace windloom::editor

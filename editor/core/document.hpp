@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "editor/core/history.hpp"
 #include "engine/core/result.hpp"
@@ -21,6 +22,8 @@ class Document {
   [[nodiscard]] const Project& committed() const { return m_history.current(); }
   /// Grows with every change of project(), so that a panel can tell cheaply.
   [[nodiscard]] std::uint64_t revision() const { return m_revision; }
+  /// Grows with every change of committed(): edits, those that merge into a step as well, undo and redo.
+  [[nodiscard]] std::uint64_t editCount() const { return m_edits; }
 
   /// Applies an edit of the committed project as one undo step (merge keys as in History) and ends a
   /// preview. An edit without steps, or one that changes nothing, is done and leaves no step. A refused
@@ -52,9 +55,11 @@ class Document {
   void startNew(Project start = {});
   /// On failure the document stays as it was. Warnings of the reader (unknown keys) go to the log.
   Status open(const std::filesystem::path& path);
+  /// Files that the project as it was opened names and that couldn't be read; it is open all the same.
+  [[nodiscard]] const std::vector<Problem>& missing() const { return m_missing; }
   /// Fails with Usage where there is no path. On failure the old file is intact, the project still dirty.
   Status save();
-  /// Takes the path over only on success.
+  /// Takes the path over only on success. Into another folder the terrain's file goes along.
   Status saveAs(const std::filesystem::path& path);
   /// Takes over a project rescued from a side file: dirty, belonging to `path` (may be empty).
   void recover(Project project, std::filesystem::path path, std::filesystem::path sideFile);
@@ -63,11 +68,16 @@ class Document {
 
  private:
   void touched() { ++m_revision; }
+  void committedChanged() {
+    ++m_edits;
+    touched();
+  }
   History m_history;
   Project m_preview;
   bool m_previewing = false;
   std::filesystem::path m_path, m_rescuedFrom;
-  std::uint64_t m_revision = 1;
+  std::vector<Problem> m_missing;
+  std::uint64_t m_revision = 1, m_edits = 0;
 };
 
 }  // namespace windloom::editor

@@ -1,9 +1,11 @@
 #pragma once
 // The ground that tools draw on.
 
-#include <functional>
 #include <glm/glm.hpp>
+#include <memory>
 #include <optional>
+
+#include "engine/model/height_field.hpp"
 
 namespace windloom::editor {
 
@@ -13,14 +15,13 @@ struct Ray {
 };
 
 struct Ground {
-  std::function<float(glm::vec2)> height;  ///< m at (x, z); empty: flat at 0
+  std::shared_ptr<const HeightField> height;  ///< null: flat at 0
 
-  [[nodiscard]] float at(glm::vec2 position) const { return height ? height(position) : 0.0f; }
+  [[nodiscard]] float at(glm::vec2 position) const { return height ? heightAt(*height, position) : 0.0f; }
   [[nodiscard]] glm::vec3 lift(glm::vec2 position) const { return {position.x, at(position), position.y}; }
 };
 
-/// The nearest place where the ray meets the ground within `reach` m. On uneven ground the ray is marched
-/// and the crossing refined to about 1 cm.
+/// The nearest place where the ray meets the ground from above within `reach` m.
 std::optional<glm::vec2> hitGround(const Ray& ray, const Ground& ground, float reach = 4000.0f);
 
 }  // namespace windloom::editor

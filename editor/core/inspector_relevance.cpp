@@ -24,7 +24,14 @@ bool isRelevant(const SolverSettings& solver, std::string_view key) {
   return (key != "maxCycles" && key != "divergenceTolerance") || solver.pressure == Pressure::Multigrid;
 }
 
+bool isRelevant(const TerrainSettings& terrain, std::string_view key) {
+  if (key == "size" || key == "height") return terrain.kind == TerrainKind::HeightMap;
+  if (key == "scale") return terrain.kind == TerrainKind::Mesh;
+  return (key != "centre" && key != "base") || terrain.kind != TerrainKind::Flat;
+}
+
 bool isRelevant(const GrassSettings& grass, std::string_view key) {
+  if (grass.kind == GrassKind::None) return key == "kind";
   return key != "restBlend" || grass.deformation == Deformation::Quadratic;
 }
 

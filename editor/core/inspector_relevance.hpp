@@ -11,6 +11,7 @@ bool isRelevant(const Arrow& arrow, std::string_view key);
 bool isRelevant(const Signal& signal, std::string_view key);
 bool isRelevant(const Obstacle& obstacle, std::string_view key);
 bool isRelevant(const SolverSettings& solver, std::string_view key);
+bool isRelevant(const TerrainSettings& terrain, std::string_view key);
 bool isRelevant(const GrassSettings& grass, std::string_view key);
 
 template <class Owner>

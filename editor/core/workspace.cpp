@@ -1,5 +1,7 @@
 #include "editor/core/workspace.hpp"
 
+#include <algorithm>
+
 #include "editor/core/refusal.hpp"
 
 namespace windloom::editor {
@@ -8,6 +10,8 @@ Workspace::Workspace() {
   flow.onFailure = [this](const Error& error) { say(MessageKind::Error, error.text()); };
   flow.onDone = [this](const std::string& text) { say(MessageKind::Info, text); };
   flow.onReplaced = [this] {
+    terrainLoad.cancel();
+    followGround();
     selection.clear();
     tools.clearHover();
     frame({});
@@ -38,7 +42,10 @@ bool Workspace::pointerPressed(const PointerEvent& pointer) {
 
 bool Workspace::pointerMoved(const PointerEvent& pointer) {
   m_pointer = pointer.pixel;
-  if (navigator.move(camera, pointer, viewportSize, ground)) return true;
+  if (navigator.move(camera, pointer, viewportSize, ground)) {
+    keepEyeAboveGround();
+    return true;
+  }
   ToolContext tool = context();
   const bool used = tools.move(tool, pointer);
   takeToolMessage();
@@ -59,6 +66,7 @@ bool Workspace::wheel(float notches, const PointerEvent& pointer) {
   ToolContext tool = context();
   if (!navigator.active() && tools.wheel(tool, notches, pointer.modifiers)) return true;
   navigator.wheel(camera, notches, pointer.pixel, viewportSize, ground);
+  keepEyeAboveGround();
   return true;
 }
 
@@ -92,7 +100,47 @@ void Workspace::focusLost() {
 }
 
 void Workspace::tick(double seconds, Modifiers held) {
+  takeTerrain();
+  followGround();
   navigator.tick(camera, seconds, held);
+  keepEyeAboveGround();
+}
+
+bool Workspace::mayLoadTerrain() {
+  if (!document.path().empty()) return true;
+  say(MessageKind::Warning, "Save the project first: its terrain lies beside it");
+  return false;
+}
+
+bool Workspace::loadTerrain(const std::filesystem::path& file) {
+  if (!mayLoadTerrain()) return false;
+  terrainLoad.start(file, document.path());
+  return true;
+}
+
+void Workspace::takeTerrain() {
+  // Not into a drag: its end would come upon another project.
+  if (tools.dragging()) return;
+  const auto loaded = terrainLoad.poll();
+  if (!loaded) return;
+  if (!*loaded) {
+    if (flow.onFailure) flow.onFailure(loaded->error());
+    return;
+  }
+  const std::string name = std::filesystem::path((**loaded)->file).filename().string();
+  if (apply(terrainEdit(document.committed(), **loaded))) say(MessageKind::Info, "The ground is " + name);
+}
+
+void Workspace::followGround() {
+  ground.height = document.project().terrain->heights;
+}
+
+/// Hills would hide everything from below.
+void Workspace::keepEyeAboveGround() {
+  if (!ground.height || camera.orthographic) return;
+  constexpr float kLeastM = 0.3f;
+  const glm::vec3 eye = camera.position();
+  camera.target.y += std::max(0.0f, ground.at({eye.x, eye.z}) + kLeastM - eye.y);
 }
 
 bool Workspace::apply(const Edit& edit) {
@@ -165,7 +213,8 @@ void Workspace::frame(std::span<const Id> ids) {
   }
   // A single point has no extent; some of its surroundings make it readable.
   const glm::vec2 margin = glm::max(glm::vec2(0.0f), 0.5f * (glm::vec2(8.0f) - (bounds->high - bounds->low)));
-  camera = frameBounds(camera, bounds->low - margin, bounds->high + margin, viewportSize);
+  camera = frameBounds(camera, bounds->low - margin, bounds->high + margin, viewportSize, ground);
+  keepEyeAboveGround();
 }
 
 void Workspace::takeToolMessage() {
@@ -174,6 +223,7 @@ void Workspace::takeToolMessage() {
 }
 
 void Workspace::afterChange() {
+  followGround();
   takeToolMessage();
   selection.repair(document.project());
 }

@@ -14,6 +14,7 @@
 #include "editor/core/navigation.hpp"
 #include "editor/core/preferences.hpp"
 #include "editor/core/selection.hpp"
+#include "editor/core/terrain_load.hpp"
 #include "editor/core/tool_box.hpp"
 
 namespace windloom::editor {
@@ -39,7 +40,8 @@ class Workspace {
   ActionTable actions;  ///< core actions are in it; the app adds its own
   DocumentFlow flow{document};
   Preferences preferences;
-  Ground ground;
+  Ground ground;  ///< follows the document's terrain
+  TerrainLoad terrainLoad;
   glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
 
   /// The system's clipboard; the app sets both. Without them copy and paste stay inside the editor.
@@ -57,12 +59,16 @@ class Workspace {
   bool keyPressed(const KeyPress& press);
   void keyReleased(Key key);
   void focusLost();
-  /// Once a frame: flying.
+  /// Once a frame: flying, and the terrain that was read meanwhile.
   void tick(double seconds, Modifiers held);
 
   /// The one way panels change the project: applies, tells refusals in the status line. True where applied.
   bool apply(const Edit& edit);
   bool apply(const Result<Edit>& edit);
+  /// Begins to read a terrain file; it becomes the ground as one step, "Set terrain", or an error is told and all stays
+  /// as it was. False where the project has to be saved first, which is told.
+  bool loadTerrain(const std::filesystem::path& file);
+  bool mayLoadTerrain();
   void undo();
   void redo();
   void jumpTo(std::size_t historyEntry);
@@ -85,6 +91,9 @@ class Workspace {
   [[nodiscard]] std::string clipboardText() const;
 
  private:
+  void takeTerrain();
+  void followGround();
+  void keepEyeAboveGround();
   void takeToolMessage();
   void afterChange();
 
@@ -100,7 +109,7 @@ class Workspace {
 /// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
 /// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.probe tool.delete tool.cancel;
-/// view.frame view.frame_all view.top view.front view.side view.orthographic; snap.grid snap.angle snap.points.
+/// view.frame view.frame_all view.top view.front view.side view.orthographic; grass.instanced grass.none; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

@@ -117,7 +117,13 @@ void drawSolverPresets(PanelContext& context) {
   ImGui::Separator();
 }
 
-void drawSettings(PanelContext& context, InspectorKind kind) {
+void drawSettings(PanelContext& context, InspectorKind kind, TerrainPanel& terrain) {
+  if (kind == InspectorKind::Terrain) {
+    terrain.draw(context, [&](const InspectorSection& section, const InspectorRow& row, const RowChange& change) {
+      apply(context, section, row, change);
+    });
+    return;
+  }
   if (kind == InspectorKind::Solver) drawSolverPresets(context);
   drawSection(context, inspect(context.project(), {kind, {}}));
 }
@@ -168,7 +174,7 @@ void InspectorPanel::draw(PanelContext& context, ExportPanel& exporter) {
   else if (m_tab == kExportTab)
     exporter.draw(context);
   else
-    drawSettings(context, *kTabs[m_tab].settings);
+    drawSettings(context, *kTabs[m_tab].settings, m_terrain);
   ImGui::EndChild();
 }
 

@@ -3,6 +3,7 @@
 
 #include "editor/panels/export_panel.hpp"
 #include "editor/panels/panel_context.hpp"
+#include "editor/panels/terrain_panel.hpp"
 
 namespace windloom::editor {
 
@@ -12,6 +13,7 @@ class InspectorPanel {
 
  private:
   std::size_t m_tab = 0;
+  TerrainPanel m_terrain;
 };
 
 }  // namespace windloom::editor

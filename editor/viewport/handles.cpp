@@ -53,6 +53,15 @@ class GroundBrush {
     }
   }
 
+  /// A line that follows the ground.
+  void shaft(glm::vec2 a, glm::vec2 b, ImU32 colour, float width) const {
+    constexpr int kPieces = 16;
+    for (int i = 0; i < kPieces; ++i) {
+      line(m_ground.lift(glm::mix(a, b, float(i) / kPieces)), m_ground.lift(glm::mix(a, b, float(i + 1) / kPieces)), colour,
+           width);
+    }
+  }
+
   /// A line with a head whose size is in pixels.
   void arrow(glm::vec3 a, glm::vec3 b, ImU32 colour, float width) const {
     const auto from = screen(a), to = screen(b);
@@ -62,7 +71,11 @@ class GroundBrush {
     const float head = std::min(scaled(12), length * 0.6f);
     const ImVec2 along{dx / length, dy / length}, side{-along.y, along.x};
     const ImVec2 neck{to->x - along.x * head, to->y - along.y * head};
-    m_list.AddLine(*from, neck, colour, width);
+    if (m_ground.height) {
+      shaft({a.x, a.z}, {b.x, b.z}, colour, width);
+    } else {
+      m_list.AddLine(*from, neck, colour, width);
+    }
     m_list.AddTriangleFilled(*to, {neck.x + side.x * head * 0.45f, neck.y + side.y * head * 0.45f},
                              {neck.x - side.x * head * 0.45f, neck.y - side.y * head * 0.45f}, colour);
   }
@@ -73,7 +86,7 @@ class GroundBrush {
     const glm::vec2 half = o.size * 0.5f;
     const glm::vec2 corners[] = {o.centre + u * half.x + v * half.y, o.centre - u * half.x + v * half.y,
                                  o.centre - u * half.x - v * half.y, o.centre + u * half.x - v * half.y};
-    for (int i = 0; i < 4; ++i) line(m_ground.lift(corners[i]), m_ground.lift(corners[(i + 1) % 4]), colour, width);
+    for (int i = 0; i < 4; ++i) shaft(corners[i], corners[(i + 1) % 4], colour, width);
   }
 
   ImDrawList& list() const { return m_list; }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "editor/core/legend_layout.hpp"
 #include "editor/widgets/number_field.hpp"
 #include "engine/core/text.hpp"
 #include "engine/render/frame_renderer.hpp"
@@ -88,8 +89,10 @@ void scaleBar(const ViewArea& area, const Workspace& workspace) {
   const float left = area.min.x + scaled(18), y = area.max.y - scaled(18), tick = scaled(5);
   const std::string label = metres < 1 ? fixed(double(metres) * 100, 0) + " cm" : fixed(double(metres), 0) + " m";
   const float width = std::max(length, ImGui::CalcTextSize(label.c_str()).x);
-  list.AddRectFilled({left - scaled(8), y - ImGui::GetTextLineHeight() - scaled(10)},
-                     {left + width + scaled(8), y + scaled(9)}, packed(palette.overlayBack, 0.8f), scaled(4));
+  const ImVec2 min{left - scaled(8), y - ImGui::GetTextLineHeight() - scaled(10)};
+  const ImVec2 max{left + width + scaled(8), y + scaled(9)};
+  list.AddRectFilled(min, max, packed(palette.overlayBack, 0.8f), scaled(4));
+  look().map.rectangle("scale bar", min, max);
   const ImU32 colour = packed(palette.overlayText);
   list.AddLine({left, y}, {left + length, y}, colour, scaled(2));
   list.AddLine({left, y - tick}, {left, y + tick}, colour, scaled(2));
@@ -99,40 +102,91 @@ void scaleBar(const ViewArea& area, const Workspace& workspace) {
   look().map.fact("scale", shortest(metres) + " m in " + shortest(std::round(length * 100) / 100) + " px");
 }
 
-bool speedLegend(const ViewArea& area, float& range) {
+namespace {
+
+struct Legend {
+  const char *name, *title, *unit, *help;
+  float* range;
+  float home, step;
+  bool bothWays;  // from -range to range
+};
+
+/// The legends that the colours on the screen need, the ground's first.
+std::vector<Legend> legendsOf(Overlays& overlays) {
+  const Overlays home;
+  std::vector<Legend> legends;
+  if (overlays.map == GroundMap::Divergence)
+    legends.push_back(
+        {"divergence", "Divergence", "1/s",
+         "Divergence at both ends of the colours: air spreads where it is orange and gathers where it is blue.",
+         &overlays.divergenceRange, home.divergenceRange, 0.1f, true});
+  if (overlays.map == GroundMap::Vorticity)
+    legends.push_back(
+        {"vorticity", "Vorticity", "1/s",
+         "Vorticity at both ends of the colours: twice the rate at which the air turns, orange from +X towards +Z.",
+         &overlays.vorticityRange, home.vorticityRange, 0.1f, true});
+  const bool speed = overlays.arrows || overlays.vectors || overlays.streamlines || overlays.map == GroundMap::Speed ||
+                     overlays.map == GroundMap::Lic;
+  if (speed)
+    legends.push_back({"speed", "Speed", "m/s", "Wind speed, and an arrow's strength, at the top of the colours.",
+                       &overlays.speedRange, home.speedRange, 0.5f, false});
+  return legends;
+}
+
+void legendBar(const Legend& legend, ImVec2 at, float height) {
   const Palette& palette = look().palette;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const float barWidth = scaled(12), boxWidth = scaled(84);
-  const float barHeight = std::min(scaled(110), (area.max.y - area.min.y) * 0.3f);
-  if (barHeight < scaled(50)) return false;  // no room to read it
-  const ImVec2 max{area.max.x - scaled(12), area.max.y - scaled(12)};
-  const ImVec2 min{max.x - boxWidth, max.y - barHeight - ImGui::GetFrameHeight() - scaled(26)};
-  list.AddRectFilled(min, max, packed(palette.overlayBack), scaled(4));
-
-  ImGui::SetCursorScreenPos({min.x + scaled(6), min.y + scaled(6)});
-  ImGui::SetNextItemWidth(boxWidth - scaled(12));
-  const NumberEdit edit = numberField("legend/range", double(range), false, {"m/s", 0.5, 200, 1, false});
-  if (edit.changed) range = std::clamp(float(edit.value), 0.5f, 200.0f);
-  if (edit.reset) range = Overlays{}.speedRange;
-  if (ImGui::IsItemHovered())
-    ImGui::SetTooltip("Wind speed at the top of the colours. Drag, or click and type; right click resets.");
-
-  const float left = min.x + scaled(10), top = min.y + ImGui::GetFrameHeight() + scaled(16);
-  constexpr int kBands = 32;
+  const float width = scaled(12);
+  constexpr int kBands = 40;
   for (int i = 0; i < kBands; ++i) {
-    const glm::vec3 colour = speedColour(1.0f - (float(i) + 0.5f) / kBands);
-    const float y = top + barHeight * float(i) / kBands;
-    list.AddRectFilled({left, y}, {left + barWidth, y + barHeight / kBands + 0.5f},
+    const float part = 1.0f - (float(i) + 0.5f) / kBands;
+    const glm::vec3 colour = legend.bothWays ? divergingColour(2 * part - 1) : speedColour(part);
+    const float y = at.y + height * float(i) / kBands;
+    list.AddRectFilled({at.x, y}, {at.x + width, y + height / kBands + 0.5f},
                        packed({colour.x, colour.y, colour.z, 1.0f}));
   }
+  list.AddRect({at.x, at.y}, {at.x + width, at.y + height}, packed(palette.overlayText, 0.5f));
   for (int i = 0; i <= 4; ++i) {
-    const float y = top + barHeight * float(i) / 4;
-    list.AddLine({left + barWidth, y}, {left + barWidth + scaled(4), y}, packed(palette.overlayText));
-    const std::string label = displayNumber(double(range) * (4 - i) / 4, 1, false);
-    list.AddText(look().small, look().small->FontSize, {left + barWidth + scaled(8), y - look().small->FontSize / 2},
+    const float y = at.y + height * float(i) / 4, part = 1.0f - float(i) / 4;
+    list.AddLine({at.x + width, y}, {at.x + width + scaled(4), y}, packed(palette.overlayText));
+    const double value = double(*legend.range) * double(legend.bothWays ? 2 * part - 1 : part);
+    // Small ranges want more digits than their step has.
+    const std::string label = displayNumber(value, std::min(double(legend.step), double(*legend.range) / 4), false);
+    list.AddText(look().small, look().small->FontSize, {at.x + width + scaled(8), y - look().small->FontSize / 2},
                  packed(palette.overlayText), label.c_str());
   }
+}
+
+bool drawLegend(const Legend& legend, ImVec2 min, ImVec2 max, float bar) {
+  const Palette& palette = look().palette;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(min, max, packed(palette.overlayBack), scaled(4));
+  const float small = look().small->FontSize;
+  list.AddText(look().small, small, {min.x + scaled(8), min.y + scaled(5)}, packed(palette.overlayText), legend.title);
+  const std::string name = std::string("legend/") + legend.name;
+  ImGui::SetCursorScreenPos({min.x + scaled(6), min.y + small + scaled(9)});
+  ImGui::SetNextItemWidth(max.x - min.x - scaled(12));
+  const NumberEdit edit = numberField((name + "/range").c_str(), double(*legend.range), false,
+                                      {legend.unit, kLeastRange, kGreatestRange, double(legend.step), false});
+  if (edit.changed) *legend.range = std::clamp(float(edit.value), float(kLeastRange), float(kGreatestRange));
+  if (edit.reset) *legend.range = legend.home;
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s Drag, or click and type; right click resets.", legend.help);
+  legendBar(legend, {min.x + scaled(10), max.y - bar - scaled(10)}, bar);
+  look().map.rectangle(name, min, max);
   return ImGui::IsMouseHoveringRect(min, max);
+}
+
+}  // namespace
+
+bool colourLegends(const ViewArea& area, Overlays& overlays) {
+  const std::vector<Legend> legends = legendsOf(overlays);
+  const float fixedHeight = look().small->FontSize + ImGui::GetFrameHeight() + scaled(28);
+  const std::vector<LegendBox> boxes =
+      layoutLegends({area.max.x - area.min.x, area.max.y - area.min.y}, look().scale, fixedHeight, int(legends.size()));
+  bool over = false;
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    over |= drawLegend(legends[i], area.at(boxes[i].min), area.at(boxes[i].max), boxes[i].bar);
+  return over;
 }
 
 void firstTreeHint(const ViewArea& area) {

@@ -1,10 +1,11 @@
 #pragma once
-// What helps to read the picture: axis sign, scale bar, speed legend, the hint in an empty project. Drawn with the
+// What helps to read the picture: axis sign, scale bar, colour legends, the hint in an empty project. Drawn with the
 // current window's draw list; `min` and `max` are the viewport's corners in window pixels.
 
 #include <imgui.h>
 
 #include "editor/core/workspace.hpp"
+#include "engine/render/overlay_settings.hpp"
 
 namespace windloom::editor {
 
@@ -19,9 +20,12 @@ bool axisSign(const ViewArea& area, Workspace& workspace);
 /// A length of ground in round metres, bottom left; true to scale at the camera's target.
 void scaleBar(const ViewArea& area, const Workspace& workspace);
 
-/// The speed colours from 0 to `range` m/s, bottom right; the top value can be changed. True while the pointer is
-/// on it.
-bool speedLegend(const ViewArea& area, float& range);
+/// What a legend's range can be set to, m/s or 1/s.
+inline constexpr double kLeastRange = 0.05, kGreatestRange = 200;
+
+/// A legend for each set of colours in the picture, bottom right; its range can be changed. True while the pointer is
+/// on one.
+bool colourLegends(const ViewArea& area, Overlays& overlays);
 
 /// How to draw the first tree.
 void firstTreeHint(const ViewArea& area);

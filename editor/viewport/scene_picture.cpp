@@ -15,10 +15,6 @@ bool sameCamera(const EditorCamera& a, const EditorCamera& b) {
          a.fieldOfView == b.fieldOfView && a.orthographic == b.orthographic;
 }
 
-bool sameOverlays(const Overlays& a, const Overlays& b) {
-  return a.arrows == b.arrows && a.vectors == b.vectors && a.speed == b.speed && a.speedRange == b.speedRange;
-}
-
 ViewCamera viewCamera(const EditorCamera& camera) {
   const CameraPose pose = camera.pose();
   ViewCamera view;
@@ -39,7 +35,7 @@ bool ScenePicture::fresh(const SceneRequest& request, double time) const {
   return m_shown.size == request.size && m_shown.revision == request.revision && m_time == time &&
          m_shown.hovered == request.hovered && m_shown.detail == request.detail &&
          m_shown.selected == request.selected && sameCamera(m_shown.camera, request.camera) &&
-         sameOverlays(m_shown.overlays, request.overlays);
+         m_shown.overlays == request.overlays;
 }
 
 bool ScenePicture::update(Session& session, const SceneRequest& request) {

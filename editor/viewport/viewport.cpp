@@ -77,7 +77,7 @@ void Viewport::drawOver(Workspace& workspace, bool hasScene) {
   drawHandles(m_area, workspace, !hasScene || !overlays.arrows);
   scaleBar(m_area, workspace);
   const bool overAxes = axisSign(m_area, workspace);
-  const bool overLegend = speedLegend(m_area, overlays.speedRange);
+  const bool overLegend = colourLegends(m_area, overlays);
   m_overInstrument = overAxes || overLegend;
   drawPreview(m_area, workspace, workspace.tools.shapes(workspace.context()));
   if (workspace.document.project().graph->arrows.empty() && !workspace.tools.busy()) firstTreeHint(m_area);

@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 
 #include "editor/widgets/icons.hpp"
@@ -12,6 +13,20 @@
 namespace windloom::editor {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+bool endsWithAny(std::string name, const std::string& suffixes) {
+  std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  for (std::size_t start = 0; start <= suffixes.size();) {
+    const std::size_t end = std::min(suffixes.find(';', start), suffixes.size());
+    if (name.ends_with(suffixes.substr(start, end - start))) return true;
+    start = end + 1;
+  }
+  return false;
+}
+
+}  // namespace
 
 void FileBrowser::open(Purpose purpose, std::string title, const fs::path& start, std::string suffix) {
   m_purpose = purpose;
@@ -32,7 +47,7 @@ void FileBrowser::enter(const fs::path& folder) {
     const std::string name = it->path().filename().string();
     std::error_code ignored;
     const bool isFolder = it->is_directory(ignored);
-    if (!name.starts_with('.') && (isFolder || name.ends_with(m_suffix))) entries.push_back({name, isFolder});
+    if (!name.starts_with('.') && (isFolder || endsWithAny(name, m_suffix))) entries.push_back({name, isFolder});
   }
   if (failed) {
     m_problem = folder.string() + ": " + failed.message();

@@ -12,7 +12,8 @@ class FileBrowser {
  public:
   enum class Purpose { Open, Save };
 
-  /// Opens it in the folder of `start` with its file name filled in. `suffix` filters what is listed.
+  /// Opens it in the folder of `start` with its file name filled in. `suffix` filters what is listed; several stand
+  /// with ; between them.
   void open(Purpose purpose, std::string title, const std::filesystem::path& start, std::string suffix);
   [[nodiscard]] bool isOpen() const { return m_open; }
 

@@ -45,6 +45,7 @@ int reportError(const Error& error, const CommonOptions& options) {
 Result<Project> loadWithWarnings(const std::string& file) {
   Result<LoadedProject> loaded = loadProject(file);
   if (!loaded) return loaded.error();
+  if (!loaded->missing.empty()) return Error{ErrorKind::BadInput, std::move(loaded->missing)};
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
   return std::move(loaded->project);
 }

@@ -28,7 +28,7 @@ Sizes sizesOf(const Project& project, double fps) {
   const std::int64_t cells = std::int64_t{project.field->resolution.x} * project.field->resolution.y;
   const double area = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
   const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
-  return {cells, static_cast<std::int64_t>(area * static_cast<double>(project.grass->density)), cells * kFieldBytes,
+  return {cells, static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass))), cells * kFieldBytes,
           perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
 }
 
@@ -70,6 +70,49 @@ Json vectorJson(glm::vec2 v) {
   return Json::array({jsonNumber(v.x), jsonNumber(v.y)});
 }
 
+std::string_view terrainName(const TerrainSettings& terrain) {
+  for (const Parameter<TerrainSettings>& parameter : parametersOf<TerrainSettings>()) {
+    if (parameter.info.key == "kind") return parameter.info.choices[static_cast<std::size_t>(terrain.kind)];
+  }
+  return {};
+}
+
+Json terrainJson(const TerrainSettings& terrain) {
+  Json output{{"kind", terrainName(terrain)}};
+  const HeightField* field = terrain.heights.get();
+  if (field == nullptr) return output;
+  const HeightSource& source = *field->source;
+  output["file"] = terrain.file;
+  output["low"] = vectorJson(field->low);
+  output["size"] = vectorJson(field->size);
+  output["lowest"] = jsonNumber(field->lowest());
+  output["highest"] = jsonNumber(field->highest());
+  output["samples"] = {source.samples.x, source.samples.y};
+  if (source.triangles > 0) {
+    output["triangles"] = source.triangles;
+  } else {
+    output["pixels"] = {source.pixels.x, source.pixels.y};
+  }
+  output["bytes"] = field->bytes();
+  return output;
+}
+
+void printTerrain(const TerrainSettings& terrain) {
+  const HeightField* field = terrain.heights.get();
+  if (field == nullptr) {
+    std::printf("terrain    flat\n");
+    return;
+  }
+  const HeightSource& source = *field->source;
+  const std::string from = source.triangles > 0 ? std::to_string(source.triangles) + " triangles"
+                                                : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
+  std::printf("terrain    %s, %s, %s as %d x %d samples (%s)\n", std::string(terrainName(terrain)).c_str(), terrain.file.c_str(),
+              from.c_str(), source.samples.x, source.samples.y, megabytes(static_cast<double>(field->bytes())).c_str());
+  std::printf("           x %s to %s m, z %s to %s m, %s to %s m high\n", metres(field->low.x).c_str(),
+              metres(field->low.x + field->size.x).c_str(), metres(field->low.y).c_str(),
+              metres(field->low.y + field->size.y).c_str(), metres(field->lowest()).c_str(), metres(field->highest()).c_str());
+}
+
 void printInfoJson(const Options& options, const Project& project, const std::vector<Id>& roots,
                    const std::vector<Arrival>& arrivals) {
   const FieldSettings& field = *project.field;
@@ -80,6 +123,7 @@ void printInfoJson(const Options& options, const Project& project, const std::ve
                      {"resolution", {field.resolution.x, field.resolution.y}},
                      {"cellSize", vectorJson(field.size / glm::vec2(field.resolution))},
                      {"timeStep", jsonNumber(field.timeStep)}};
+  output["terrain"] = terrainJson(*project.terrain);
   output["counts"] = {{"points", project.graph->points.size()},
                       {"arrows", project.graph->arrows.size()},
                       {"signals", project.graph->signals.size()},
@@ -147,6 +191,7 @@ void printInfoText(const Options& options, const Project& project, const std::ve
               project.cameras->size());
   std::printf("ambient    %s m/s towards %s deg\n", metres(project.ambient->speed).c_str(),
               metres(project.ambient->direction).c_str());
+  printTerrain(*project.terrain);
   std::printf("grass      %s blades\n", std::to_string(sizes.blades).c_str());
   for (const Id root : roots) {
     std::printf("root       %s plays %s\n", label(*findPoint(*project.graph, root)).c_str(),

@@ -48,32 +48,15 @@ Error usage(const std::string& message) {
   return makeError(ErrorKind::Usage, message);
 }
 
-Result<Overlays> overlaysOf(const Options& options) {
-  Overlays overlays;
-  overlays.arrows = false;
-  for (const std::string& name : options.overlays) {
-    if (name == "none") continue;
-    if (name == "arrows")
-      overlays.arrows = true;
-    else if (name == "vectors")
-      overlays.vectors = true;
-    else if (name == "speed")
-      overlays.speed = true;
-    else
-      return usage("--overlay: found '" + name + "', expected arrows, vectors, speed or none");
-  }
-  return overlays;
-}
-
 Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
   const std::vector<Camera>& cameras = *project.cameras;
-  if (options.camera.empty()) return cameras.empty() ? frameField(*project.field) : viewThrough(cameras.front());
+  if (options.camera.empty()) return cameras.empty() ? frameField(*project.field, project.terrain->heights.get()) : viewThrough(cameras.front());
   std::string names = "above";
   for (const Camera& camera : cameras) {
     if (camera.name == options.camera) return viewThrough(camera);
     names += ", " + camera.name;
   }
-  if (options.camera == "above") return frameFieldFromAbove(*project.field);
+  if (options.camera == "above") return frameFieldFromAbove(*project.field, project.terrain->heights.get());
   return usage("--camera: found '" + options.camera + "', expected one of " + names);
 }
 
@@ -89,11 +72,10 @@ Result<Project> projectOf(const Options& options) {
     field.resolution = *cells;
     project->field = std::make_shared<FieldSettings>(field);
   }
-  if (options.density) {
-    GrassSettings grass = *project->grass;
-    grass.density = static_cast<float>(*options.density);
-    project->grass = std::make_shared<GrassSettings>(grass);
-  }
+  GrassSettings grass = *project->grass;
+  if (options.density) grass.density = static_cast<float>(*options.density);
+  if (!options.grass.empty()) grass.kind = options.grass == "none" ? GrassKind::None : GrassKind::Instanced;
+  project->grass = std::make_shared<GrassSettings>(grass);
   return project;
 }
 
@@ -176,13 +158,13 @@ void report(const Options& options, const Studio& studio, const std::vector<std:
 }
 
 int render(const Options& options) {
-  if (!options.grass.empty() && options.grass != "instanced") {
-    return reportError(usage("--grass: found '" + options.grass + "', expected instanced"), options);
+  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "none") {
+    return reportError(usage("--grass: found '" + options.grass + "', expected instanced or none"), options);
   }
   const auto size = parsePair(options.size, kMaxSide);
   if (!size)
     return reportError(usage("--size: found '" + options.size + "', expected WxH of 8 to 16384 pixels"), options);
-  const Result<Overlays> overlays = overlaysOf(options);
+  const Result<Overlays> overlays = overlaysByName(options.overlays);
   if (!overlays) return reportError(overlays.error(), options);
   const Result<Project> project = projectOf(options);
   if (!project) return reportError(project.error(), options);
@@ -231,12 +213,12 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_option("--camera", options->camera,
                  "Camera of the project, or above (default: the first, else one that shows the field)")
       ->type_name("NAME");
-  app.add_option("--overlay", options->overlays, "arrows, vectors, speed; none (the default)")
+  app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
       ->type_name("NAME[,NAME]")
       ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass: instanced")->type_name("KIND");
+  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, none")->type_name("KIND");
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
       ->check(CLI::Range(0.0, 5000.0));

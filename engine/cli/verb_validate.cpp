@@ -16,7 +16,8 @@ int validateFiles(const Options& options) {
   int status = kExitDone;
   Json errors = Json::array(), warnings = Json::array();
   for (const std::string& file : options.files) {
-    const Result<LoadedProject> loaded = loadProject(file);
+    Result<LoadedProject> loaded = loadProject(file);
+    if (loaded && !loaded->missing.empty()) loaded = Error{ErrorKind::BadInput, loaded->missing};
     const std::vector<Problem> none;
     const std::vector<Problem>& problems = loaded ? none : loaded.error().problems;
     const std::vector<Problem>& remarks = loaded ? loaded->warnings : none;

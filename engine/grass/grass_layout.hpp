@@ -5,6 +5,7 @@
 // first part of them covers the tile evenly; how many are drawn falls with the width of a blade on screen.
 
 #include <cstdint>
+#include <vector>
 
 #include "engine/model/project.hpp"
 #include "shaders/shared/grass_block.h"
@@ -29,6 +30,9 @@ inline constexpr float kMeadowMarginM = 16.0f;
 
 /// `density` > 0 makes at least one tile; density 0 gives a layout without tiles.
 GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& grass);
+
+/// The lowest and the highest ground in each tile, row by row, m.
+std::vector<glm::vec2> groundInTiles(const GrassLayout& layout, const HeightField& ground);
 
 /// Settings for the shaders. `detail` as GrassQuality::detail, clamped to [0.02, 1].
 GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout, float detail);

@@ -57,7 +57,18 @@ Result<InstancedGrass> InstancedGrass::create(gpu::ShaderLibrary& shaders) {
   return grass;
 }
 
-Status InstancedGrass::configure(const FieldSettings& field, const GrassSettings& grass) {
+/// How high the ground lies in each tile. Flat ground needs none, but a declared buffer wants something bound.
+Status InstancedGrass::setBounds(const GrassLayout& layout, const HeightField* ground) {
+  if (ground == nullptr && m_bounds.name() != 0) return Done{};
+  const std::vector<glm::vec2> bounds = ground != nullptr ? groundInTiles(layout, *ground) : std::vector{glm::vec2(0.0f)};
+  if (bounds.empty()) return Done{};
+  Result<gpu::Buffer> buffer = gpu::Buffer::create("grass bounds", std::span<const glm::vec2>(bounds));
+  if (!buffer) return buffer.error();
+  m_bounds = std::move(*buffer);
+  return Done{};
+}
+
+Status InstancedGrass::configure(const FieldSettings& field, const GrassSettings& grass, const HeightField* ground) {
   const GrassLayout layout = makeGrassLayout(field, grass);
   if (!sameLists(layout, m_layout) && layout.chunkLimit > 0) {
     const std::size_t blades = static_cast<std::size_t>(layout.capacity.x) + layout.capacity.y + layout.capacity.z;
@@ -68,6 +79,7 @@ Status InstancedGrass::configure(const FieldSettings& field, const GrassSettings
     m_chunks = std::move(*chunks);
     m_blades = std::move(*list);
   }
+  if (Status set = setBounds(layout, ground); !set) return set;
   m_layout = layout;
   return Done{};
 }
@@ -88,6 +100,7 @@ void InstancedGrass::prepare() {
   m_chunks.bindStorage(RENDER_SSBO_CHUNKS);
   m_blades.bindStorage(RENDER_SSBO_BLADES);
   m_commands.bindStorage(RENDER_SSBO_COMMANDS);
+  m_bounds.bindStorage(RENDER_SSBO_GRASS_BOUNDS);
 
   m_cull->use();
   const int tiles = m_layout.tiles.x * m_layout.tiles.y;

@@ -24,14 +24,14 @@ class InstancedGrass {
   /// Fails with Machine.
   static Result<InstancedGrass> create(gpu::ShaderLibrary& shaders);
 
-  /// Takes over field and grass settings; equal layouts keep their buffers. Where the GPU has no memory for
+  /// Takes over field, grass settings and ground (null: flat); equal layouts keep their buffers. Where the GPU has no memory for
   /// the lists (Machine) the grass stays as it was.
-  Status configure(const FieldSettings& field, const GrassSettings& grass);
+  Status configure(const FieldSettings& field, const GrassSettings& grass, const HeightField* ground);
 
   /// Fills the settings block for this frame; it stays bound for all passes of the frame, also the ground's.
   void bindSettings(const GrassSettings& grass, float detail);
 
-  /// Culls and places. The frame block, wind, noise and solid textures must be bound (render_bindings.h).
+  /// Culls and places. The frame block, wind, noise, ground and solid textures must be bound (render_bindings.h).
   void prepare();
 
   /// Draws into the target of `state`.
@@ -43,13 +43,14 @@ class InstancedGrass {
 
  private:
   InstancedGrass() = default;
+  Status setBounds(const GrassLayout& layout, const HeightField* ground);
   bool empty() const { return m_layout.chunkLimit == 0; }
 
   GrassLayout m_layout;
   gpu::Program* m_cull = nullptr;
   gpu::Program* m_place = nullptr;
   gpu::Program* m_blade[GRASS_LEVELS] = {};
-  gpu::Buffer m_settings, m_chunks, m_blades, m_commands;
+  gpu::Buffer m_settings, m_chunks, m_blades, m_commands, m_bounds;
   gpu::VertexArray m_noVertices;
   gpu::ReadbackRing m_counts;
   long long m_bladesDrawn = 0;

@@ -4,7 +4,7 @@
 // Reading is strict about what it knows and careful with what it doesn't: every error is collected with
 // its place, unknown keys are kept as they are and written back, and nothing is dropped silently.
 // Writing is canonical: fixed order of keys, shortest numbers, one point, arrow, signal, obstacle, probe
-// or camera a line; in these records values that equal their default are left out.
+// or camera a line; in these records, and in the terrain, values that equal their default are left out.
 
 #include <filesystem>
 #include <string>
@@ -22,12 +22,16 @@ inline constexpr std::uint64_t kMaxProjectBytes = 64ull << 20;
 struct LoadedProject {
   Project project;
   std::vector<Problem> warnings;  ///< unknown keys, with their places; an older version that was brought up to date
+  /// Files that the project names and that are missing or broken. The project is whole all the same and saves as
+  /// it was; the ground is flat.
+  std::vector<Problem> missing;
 };
 
-/// Fails with BadInput, all problems collected, or with Machine where the file can't be read.
+/// Fails with BadInput, all problems collected, or with Machine where the file can't be read. Reads the terrain's
+/// file, too, which lies below the folder of `path`.
 Result<LoadedProject> loadProject(const std::filesystem::path& path);
 
-/// The same from text; `fileName` only goes into messages.
+/// The same from text, without the terrain's file; `fileName` only goes into messages.
 Result<LoadedProject> parseProject(std::string_view text, const std::string& fileName);
 
 /// The file's bytes for a valid project. writeProject(parseProject(b)) gives b again for any b that

@@ -8,6 +8,7 @@
 #include "engine/io/project_json.hpp"
 #include "engine/io/project_migration.hpp"
 #include "engine/io/project_records.hpp"
+#include "engine/io/terrain_file.hpp"
 #include "engine/model/parameters.hpp"
 #include "engine/model/signal_curve.hpp"
 #include "engine/model/validate.hpp"
@@ -337,7 +338,7 @@ Result<LoadedProject> parseProject(std::string_view text, const std::string& fil
   if (!document) return document.error();
   Reader reader;
   if (Status prepared = prepare(*document, fileName, reader.warnings); !prepared) return prepared.error();
-  LoadedProject loaded{reader.read(*document), {}};
+  LoadedProject loaded{reader.read(*document), {}, {}};
   addSemanticProblems(loaded.project, reader.problems);
   for (auto* list : {&reader.problems, &reader.warnings}) {
     for (Problem& problem : *list) problem.file = fileName;
@@ -350,7 +351,10 @@ Result<LoadedProject> parseProject(std::string_view text, const std::string& fil
 Result<LoadedProject> loadProject(const std::filesystem::path& path) {
   Result<std::string> text = readFile(path, kMaxProjectBytes);
   if (!text) return text.error();
-  return parseProject(*text, path.string());
+  Result<LoadedProject> loaded = parseProject(*text, path.string());
+  if (!loaded) return loaded;
+  if (Status terrain = loadTerrain(loaded->project, path); !terrain) loaded->missing = terrain.error().problems;
+  return loaded;
 }
 
 }  // namespace windloom

@@ -171,7 +171,13 @@ std::string listText(const std::vector<Record>& records, const std::string& inde
 /// A settings part on one line, or on several that line up behind its brace.
 template <class Part>
 std::string partText(std::string_view key, const Part& part) {
-  const Members members = membersOf(part, [](const Parameter<Part>&, const ParameterValue&) { return true; });
+  static const Part kDefault{};
+  const Members members = membersOf(part, [](const Parameter<Part>& parameter, const ParameterValue& value) {
+    // Most of the terrain's values mean nothing to most projects.
+    if constexpr (!std::is_same_v<Part, TerrainSettings>) return true;
+    const std::string_view name = parameter.info.key;
+    return name == "kind" || name == "colour" || value != parameter.get(kDefault);
+  });
   const std::string start = "  " + jsonText(key) + ": {";
   std::string text = "{";
   std::size_t column = start.size();

@@ -69,7 +69,11 @@ class Editing {
   void operator()(const Set<FieldSettings>& step) { set(m_project.field, step.part); }
   void operator()(const Set<SolverSettings>& step) { set(m_project.solver, step.part); }
   void operator()(const Set<AmbientWind>& step) { set(m_project.ambient, step.part); }
-  void operator()(const Set<TerrainSettings>& step) { set(m_project.terrain, step.part); }
+  void operator()(const Set<TerrainSettings>& step) {
+    TerrainSettings terrain = step.part;
+    terrain.heights = placedHeights(terrain);
+    set(m_project.terrain, terrain);
+  }
   void operator()(const Set<GrassSettings>& step) { set(m_project.grass, step.part); }
 
   void operator()(const EraseSignal& step) {

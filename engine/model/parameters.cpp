@@ -14,8 +14,8 @@ constexpr std::array<Names, 2> kDrives{"speed", "force"};
 constexpr std::array<Names, 2> kWheres{"along", "end"};
 constexpr std::array<Names, 4> kSignalKinds{"constant", "pulse", "gusts", "curve"};
 constexpr std::array<Names, 2> kObstacleShapes{"circle", "box"};
-constexpr std::array<Names, 1> kTerrainKinds{"flat"};
-constexpr std::array<Names, 1> kGrassKinds{"instanced"};
+constexpr std::array<Names, 2> kGrassKinds{"instanced", "none"};
+constexpr std::array<Names, 3> kTerrainKinds{"flat", "heightmap", "mesh"};
 constexpr std::array<Names, 2> kDeformations{"arc", "quadratic"};
 
 // Within a thousand kilometres of the origin a float still resolves 6 cm.
@@ -177,7 +177,14 @@ template <>
 std::span<const Parameter<TerrainSettings>> parametersOf<TerrainSettings>() {
   using T = TerrainSettings;
   static constexpr std::array kTable{
-      choice<&T::kind>("kind", "Kind", kTerrainKinds, "Shape of the ground."),
+      choice<&T::kind>("kind", "Kind", kTerrainKinds,
+                       "Shape of the ground: flat, a grey picture (PNG), or a mesh (glTF) seen from above."),
+      text<&T::file>("file", "File", "Picture or mesh, below the project's folder; not for flat ground."),
+      real<&T::centre>("centre", "Centre", "m", -kFar, kFar, 1, "Middle of the height map, or place of the mesh (x, z)."),
+      real<&T::size>("size", "Size", "m", 0.1, 100000, 1, "Extent of the height map along x and z."),
+      real<&T::height>("height", "Height", "m", -10000, 10000, 0.1, "How much higher white is than black; height map."),
+      real<&T::base>("base", "Base", "m", -10000, 10000, 0.1, "Height of black, or of the mesh's own zero."),
+      real<&T::scale>("scale", "Scale", "", 0.0001, 10000, 0.01, "Size of the mesh over what its file says."),
       real<&T::colour>("colour", "Colour", "", 0, 1, 0.01, "Bare ground between the blades, linear RGB.")};
   return kTable;
 }
@@ -186,7 +193,7 @@ template <>
 std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>() {
   using G = GrassSettings;
   static constexpr std::array kTable{
-      choice<&G::kind>("kind", "Kind", kGrassKinds, "How the grass is made and drawn."),
+      choice<&G::kind>("kind", "Kind", kGrassKinds, "How the grass is made and drawn; none leaves the ground bare."),
       real<&G::density>("density", "Density", "1/m^2", 0, 20000, 10, "Blades per square metre."),
       integer<&G::seed>("seed", "Seed", "", 0, kMaxSeed, 1, "Another number gives another meadow."),
       real<&G::height>("height", "Height", "m", 0.01, 10, 0.01, "Mean height of a blade."),

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "engine/model/height_field.hpp"
 #include "engine/model/wind_graph.hpp"
 
 namespace windloom {
@@ -101,15 +102,26 @@ struct Camera {
   bool operator==(const Camera&) const = default;
 };
 
-enum class TerrainKind { Flat };
-
 struct TerrainSettings {
   TerrainKind kind = TerrainKind::Flat;
+  std::string file;                   ///< below the project's folder, '/' between folders; not for flat ground
+  glm::vec2 centre{0.0f, 0.0f};       ///< m; of the height map, or of the mesh's own origin
+  glm::vec2 size{100.0f, 100.0f};     ///< m; height map only
+  float height = 10.0f;               ///< m: white over black; height map only
+  float base = 0.0f;                  ///< m: height of black, or of the mesh's own zero
+  float scale = 1.0f;                 ///< of the mesh
   glm::vec3 colour{0.17f, 0.15f, 0.08f};  ///< bare ground between the blades, linear RGB
   std::string extra;
+
+  /// The ground's shape; null: flat at 0. Never saved: engine/io reads it from `file`. Edits keep it in step with
+  /// the values above (placedHeights).
+  std::shared_ptr<const HeightField> heights;
 };
 
-enum class GrassKind { Instanced };
+enum class GrassKind {
+  Instanced,
+  None,  ///< bare ground, to see the wind alone
+};
 enum class Deformation {
   Arc,        ///< keeps the blade's length, never lies down (reference/cwd-sim section 3, `arc`)
   Quadratic,  ///< CWD-Sim eq. 11-13 as printed, with the axis fix
@@ -141,6 +153,11 @@ struct GrassSettings {
   float shadowOffset = 0.45f;        ///< c2 of eq. 14
   std::string extra;
 };
+
+/// Blades per m^2 that are drawn: the density, or 0 where there is no grass.
+inline float shownDensity(const GrassSettings& grass) {
+  return grass.kind == GrassKind::None ? 0.0f : grass.density;
+}
 
 template <class T>
 using Shared = std::shared_ptr<const T>;

@@ -213,6 +213,15 @@ void checkBlades(Problems& problems, const Project& project) {
           fixed(kMaxBlades / 1e6, 0) + " million");
 }
 
+void checkTerrain(Problems& problems, const TerrainSettings& terrain) {
+  checkPart(problems, terrain, "/terrain");
+  std::string message = terrainFileProblem(terrain.file);
+  if (message.empty() && terrain.file.empty() && terrain.kind != TerrainKind::Flat) {
+    message = "is missing, expected the picture or mesh that this kind of ground is made from";
+  }
+  if (!message.empty()) add(problems, "/terrain/file", std::move(message));
+}
+
 Problems validateParts(const Project& project, const Project* valid) {
   Problems problems;
   const auto changed = [&](auto part) { return valid == nullptr || project.*part != valid->*part; };
@@ -229,7 +238,7 @@ Problems validateParts(const Project& project, const Project* valid) {
   if (changed(&Project::graph)) checkGraph(problems, *project.graph, valid ? valid->graph.get() : nullptr);
   if (changed(&Project::obstacles))
     checkRecords(problems, *project.obstacles, valid ? valid->obstacles.get() : nullptr, "/obstacles", kMaxObstacles);
-  if (changed(&Project::terrain)) checkPart(problems, *project.terrain, "/terrain");
+  if (changed(&Project::terrain)) checkTerrain(problems, *project.terrain);
   if (changed(&Project::grass)) checkPart(problems, *project.grass, "/grass");
   if (changed(&Project::probes))
     checkRecords(problems, *project.probes, valid ? valid->probes.get() : nullptr, "/probes", kMaxProbes);
@@ -251,6 +260,23 @@ std::string signalKeyProblem(const SignalKey& key) {
   return std::string(time ? "its value" : "its time") +
          " is out of range: expected [time, value] with a time from 0 to " + shortest(kMaxSignalKeyTimeS) +
          " (s) and a value from 0 to " + shortest(kMaxSignalKeyValue);
+}
+
+std::string terrainFileProblem(std::string_view file) {
+  if (file.empty()) return {};
+  const auto refuse = [&](const char* why) {
+    return "found '" + std::string(file) + "', " + why + ": expected a path below the project's folder with '/' between folders";
+  };
+  if (file.front() == '/') return refuse("an absolute path");
+  if (file.find('\\') != file.npos) return refuse("which holds a backslash");
+  for (std::size_t start = 0; start <= file.size();) {
+    const std::size_t end = std::min(file.find('/', start), file.size());
+    const std::string_view part = file.substr(start, end - start);
+    if (part == "..") return refuse("which leaves the project's folder");
+    if (part.empty() || part == ".") return refuse("which has an empty part");
+    start = end + 1;
+  }
+  return {};
 }
 
 std::vector<Problem> validate(const Project& project) {

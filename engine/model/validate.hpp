@@ -2,6 +2,7 @@
 // What makes a project legal beyond the types of its values.
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/result.hpp"
@@ -24,11 +25,14 @@ inline constexpr float kMinArrowLengthM = 1e-3f;
 /// Where a key's time or value is out of range: what was expected. Empty where it is legal.
 std::string signalKeyProblem(const SignalKey& key);
 
+/// Where TerrainSettings::file would leave the project's folder: what was expected. Empty where it is legal or empty.
+std::string terrainFileProblem(std::string_view file);
+
 /// Every problem, in file order, with JSON pointers: parameters out of range; ids zero or used twice;
 /// arrows to missing points, from a point to itself, or between points at the same place; two arrows
 /// with the same ends; signals of missing points, two for one root, or with keys out of range, not
 /// ascending or (when looped) after the period; periodic sides without partner; cameras that look at
-/// their own place; counts over the limits. Empty: valid.
+/// their own place; a terrain file that is missing or leaves the project's folder; counts over the limits. Empty: valid.
 std::vector<Problem> validate(const Project& project);
 
 /// The same for a project made from a valid one: parts that it shares with `valid` are not read again,

@@ -64,6 +64,11 @@ FrameBlock makeFrameBlock(const FrameInput& input, const Light& light) {
   block.solidMap = {solids.minCorner, 1.0f / solids.size};
   block.groundColour = {input.project->terrain->colour, 0.0f};
   block.ambientWind = {ambientVelocity(*input.project->ambient), 0.0f, 0.0f};
+  if (const HeightField* heights = input.project->terrain->heights.get()) {
+    block.ground = {heights->low, 1.0f / heights->spacing()};
+    block.groundGrid = {glm::vec2(heights->source->samples), heights->base, heights->factor};
+    block.groundRange = {heights->lowest(), heights->highest(), 0.0f, 0.0f};
+  }
   fillFrustum(block.viewProjection, block.frustum);
   return block;
 }

@@ -8,6 +8,7 @@
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/frame_block.hpp"
+#include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
 #include "engine/render/overlay_pass.hpp"
 #include "engine/render/scene_targets.hpp"
@@ -24,6 +25,7 @@ constexpr float kSoftwareFullDetail = 0.6f;
 struct Parts {
   InstancedGrass grass;
   Backdrop backdrop;
+  GroundPass ground;
   SolidPass solids;
   OverlayPass overlays;
   gpu::Texture noise;
@@ -35,6 +37,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!grass) return grass.error();
   Result<Backdrop> backdrop = Backdrop::create(shaders);
   if (!backdrop) return backdrop.error();
+  Result<GroundPass> ground = GroundPass::create(shaders);
+  if (!ground) return ground.error();
   Result<SolidPass> solids = SolidPass::create(shaders);
   if (!solids) return solids.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
@@ -43,8 +47,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass), std::move(*backdrop), std::move(*solids), std::move(*overlays), std::move(*noise),
-               std::move(*frame)};
+  return Parts{std::move(*grass), std::move(*backdrop), std::move(*ground), std::move(*solids),
+               std::move(*overlays), std::move(*noise), std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -83,9 +87,9 @@ class FrameRendererImpl final : public FrameRenderer {
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
     drawScene(input);
-    if (OverlayPass::wanted(input.overlays)) {
-      m_timer.stage("overlays");
-      m_parts.overlays.draw(input, m_targets.scene());
+    if (input.overlays.any()) {
+      const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
+      m_parts.overlays.draw(input, m_targets.scene(), detail, m_timer);
     }
     m_timer.stage("resolve");
     m_targets.resolve(input.framebuffer, input.origin);
@@ -97,12 +101,16 @@ class FrameRendererImpl final : public FrameRenderer {
  private:
   /// Passes take over the parts that changed. A part the machine refuses is logged once and the frame skipped.
   bool adoptProject(const Project& project) {
-    if (project.field != m_field || project.grass != m_grass) {
-      if (!accept(m_parts.grass.configure(*project.field, *project.grass))) return false;
+    const Shared<HeightField>& heights = project.terrain->heights;
+    const bool ground = heights != m_heights;
+    if (ground && !accept(m_parts.ground.configure(heights, defaultLight().sunDirection))) return false;
+    if (ground || project.field != m_field || project.grass != m_grass) {
+      if (!accept(m_parts.grass.configure(*project.field, *project.grass, heights.get()))) return false;
     }
-    if (project.field != m_field || project.obstacles != m_obstacles) {
-      if (!accept(m_parts.solids.configure(*project.obstacles, *project.field))) return false;
+    if (ground || project.field != m_field || project.obstacles != m_obstacles) {
+      if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
+    m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
     m_obstacles = project.obstacles;
@@ -130,11 +138,12 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   void bindFrame(const FrameInput& input) {
-    const FrameBlock block = makeFrameBlock(input, defaultLight());
-    m_parts.frame.write(&block, sizeof block);
+    m_block = makeFrameBlock(input, defaultLight());
+    m_parts.frame.write(&m_block, sizeof m_block);
     m_parts.frame.bindUniform(RENDER_UBO_FRAME);
     m_parts.grass.bindSettings(*input.project->grass, input.quality.detail);
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
+    m_parts.ground.bind();
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
     m_parts.backdrop.bakeSky();
@@ -154,7 +163,12 @@ class FrameRendererImpl final : public FrameRenderer {
     m_timer.stage("grass");
     m_parts.grass.draw(state);
     m_timer.stage("ground");
-    m_parts.backdrop.drawGround(state, input.camera, quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full);
+    const auto detail = quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full;
+    if (m_parts.ground.flat()) {
+      m_parts.backdrop.drawGround(state, input.camera, detail);
+    } else {
+      m_parts.ground.draw(state, m_block, input.camera, detail);
+    }
     m_timer.stage("sky");
     m_parts.backdrop.drawSky(state);
   }
@@ -173,7 +187,9 @@ class FrameRendererImpl final : public FrameRenderer {
   WindSampler m_windSampler;
   SceneTargets m_targets;
   gpu::GpuTimer m_timer;
+  FrameBlock m_block{};  // of the last frame
   Shared<FieldSettings> m_field;
+  Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
   Shared<std::vector<Obstacle>> m_obstacles;
   std::string m_lastError;

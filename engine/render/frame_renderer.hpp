@@ -11,6 +11,7 @@
 #include "engine/core/result.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/project.hpp"
+#include "engine/render/overlay_settings.hpp"
 #include "engine/render/view_camera.hpp"
 
 namespace windloom {
@@ -24,13 +25,6 @@ class ShaderLibrary;
 struct WindTexture {
   unsigned name = 0;  ///< RG32F or RG16F texture, texel (i, k) = cell (i, k), m/s
   GridMapping grid{};
-};
-
-struct Overlays {
-  bool arrows = true;   ///< wind trees, points, obstacles' outlines, probes
-  bool vectors = false; ///< wind vectors on a regular grid
-  bool speed = false;   ///< speed map on the ground with `speedRange`
-  float speedRange = 12.0f;  ///< m/s at the top of the colour map
 };
 
 /// What the editor marks.
@@ -77,5 +71,7 @@ class FrameRenderer {
 
 /// The speed colour map (perceptually even, colour-blind safe) at t in 0..1, sRGB. The legend uses it too.
 glm::vec3 speedColour(float t);
+/// The colour map of divergence and vorticity at t in -1..1, sRGB: near black at 0.
+glm::vec3 divergingColour(float t);
 
 }  // namespace windloom

@@ -8,10 +8,10 @@ namespace windloom {
 
 ViewCamera viewThrough(const Camera& camera);
 
-/// Shows the whole field in a 16:9 picture from a hill to its south (+Z), against the light.
-ViewCamera frameField(const FieldSettings& field);
+/// Shows the whole field in a 16:9 picture from a hill to its south (+Z), against the light. `ground` null: flat.
+ViewCamera frameField(const FieldSettings& field, const HeightField* ground = nullptr);
 
 /// Straight down on the whole field, orthographic, -Z up in the picture.
-ViewCamera frameFieldFromAbove(const FieldSettings& field);
+ViewCamera frameFieldFromAbove(const FieldSettings& field, const HeightField* ground = nullptr);
 
 }  // namespace windloom

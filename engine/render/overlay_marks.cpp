@@ -2,102 +2,134 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
-#include <unordered_set>
 
+#include "engine/model/id_index.hpp"
 #include "engine/render/solids.hpp"
 
 namespace windloom {
 namespace {
 
-constexpr float kVectorsAcross = 40.0f;
+constexpr float kLeastHub = 0.42f;  // m
+constexpr float kHubShare = 1.3f;   // of half the width of the widest arrow at a point
 
 class States {
  public:
-  explicit States(const Highlight& highlight) : m_selected(highlight.selected.begin(), highlight.selected.end()), m_hovered(highlight.hovered) {}
+  explicit States(const Highlight& highlight)
+      : m_any(!highlight.selected.empty()),
+        m_selected(highlight.selected, [](Id id) { return id; }),
+        m_hovered(highlight.hovered) {}
   float operator()(Id id) const {
-    if (m_selected.contains(id)) return MARK_SELECTED;
+    if (m_any && m_selected.find(id)) return MARK_SELECTED;
     return id != 0 && id == m_hovered ? MARK_HOVERED : MARK_NORMAL;
   }
 
  private:
-  std::unordered_set<Id> m_selected;
+  bool m_any;
+  IdIndex m_selected;
   Id m_hovered;
 };
 
-/// Where a ray through the picture meets the ground, or the field's height far away along it.
-glm::vec2 onGround(const glm::mat4& inverse, glm::vec2 clip, float reach) {
-  const glm::vec4 a = inverse * glm::vec4(clip, -1.0f, 1.0f), b = inverse * glm::vec4(clip, 1.0f, 1.0f);
-  const glm::vec3 from = glm::vec3(a) / a.w, to = glm::vec3(b) / b.w;
-  const glm::vec3 ray = glm::normalize(to - from);
-  const float distance = ray.y < -1e-4f ? std::min(-from.y / ray.y, reach) : reach;
-  return {from.x + ray.x * distance, from.z + ray.z * distance};
+/// What a point needs to know of its arrows.
+struct Hub {
+  float radius = kLeastHub;
+  bool joined = false, shown = false;  // has arrows; has arrows that are not hidden
+};
+
+std::vector<Hub> makeHubs(const WindGraph& graph, const GraphLinks& links) {
+  std::vector<Hub> hubs(graph.points.size());
+  for (std::size_t a = 0; a < graph.arrows.size(); ++a) {
+    if (links.from[a] == GraphLinks::kNone) continue;
+    const Arrow& arrow = graph.arrows[a];
+    const float radius = kHubShare * shared::arrowHalfWidth(arrow.radius);
+    for (const std::uint32_t end : {links.from[a], links.to[a]}) {
+      hubs[end].joined = true;
+      if (arrow.hidden) continue;
+      hubs[end].shown = true;
+      hubs[end].radius = std::max(hubs[end].radius, radius);
+    }
+  }
+  return hubs;
+}
+
+void addArrows(OverlayMarks& marks, const WindGraph& graph, const GraphLinks& links, const std::vector<Hub>& hubs,
+               const OverlaySignals& signals, const States& state) {
+  marks.arrows.reserve(graph.arrows.size());
+  for (std::size_t a = 0; a < graph.arrows.size(); ++a) {
+    const Arrow& arrow = graph.arrows[a];
+    if (arrow.hidden || links.from[a] == GraphLinks::kNone) continue;
+    const std::uint32_t from = links.from[a], to = links.to[a];
+    const OverlaySignals::Stretch stretch = signals.stretch(a);
+    marks.arrows.push_back(
+        {{graph.points[from].position, graph.points[to].position},
+         {arrow.radius, arrow.strength, arrow.muted ? 1.0f : 0.0f, state(arrow.id)},
+         {arrow.where == Where::End ? 1.0f : 0.0f, hubs[from].radius, hubs[to].radius, arrow.travelSpeed},
+         {stretch.first, stretch.span, 0.0f, 0.0f}});
+  }
+}
+
+void addPoints(OverlayMarks& marks, const WindGraph& graph, const GraphLinks& links, const std::vector<Hub>& hubs,
+               const States& state) {
+  std::vector<char> isRoot(graph.points.size(), 0);
+  for (const std::uint32_t root : rootIndices(graph, links)) isRoot[root] = 1;
+  marks.points.reserve(graph.points.size());
+  for (std::size_t i = 0; i < graph.points.size(); ++i) {
+    // A point all of whose arrows are hidden is hidden with them.
+    if (hubs[i].joined && !hubs[i].shown) continue;
+    const Point& point = graph.points[i];
+    const float kind = isRoot[i] != 0 ? MARK_ROOT : MARK_POINT;
+    marks.points.push_back({{point.position, hubs[i].radius, kind}, {0.0f, 0.0f, 0.0f, state(point.id)}, {}, {}});
+  }
 }
 
 }  // namespace
 
-OverlayMarks makeOverlayMarks(const Project& project, const GraphEvaluator* graph, double time, float speedRange,
+OverlayMarks makeOverlayMarks(const Project& project, const GraphLinks& links, const OverlaySignals& signals,
                               const Highlight& highlight) {
   const States state(highlight);
+  const WindGraph& graph = *project.graph;
+  const std::vector<Hub> hubs = makeHubs(graph, links);
   OverlayMarks marks;
-  std::unordered_map<Id, glm::vec2> places;
-  for (const Point& point : project.graph->points) places.emplace(point.id, point.position);
-  const float range = std::max(speedRange, 1e-3f);
-  std::unordered_set<Id> shown;
-  for (std::size_t i = 0; i < project.graph->arrows.size(); ++i) {
-    const Arrow& arrow = project.graph->arrows[i];
-    const auto from = places.find(arrow.from), to = places.find(arrow.to);
-    if (arrow.hidden || from == places.end() || to == places.end()) continue;
-    shown.insert(arrow.from);
-    shown.insert(arrow.to);
-    const float factor = graph != nullptr ? graph->factorAt(i, time) : 1.0f;
-    const float end = arrow.where == Where::End ? 1.0f : 0.0f;
-    marks.arrows.push_back({{from->second, to->second},
-                            {arrow.radius, std::min(std::abs(arrow.strength) / range, 1.0f), factor, state(arrow.id)},
-                            {end, arrow.muted ? 1.0f : 0.0f, 0.0f, 0.0f}});
-  }
-  const std::vector<Id> roots = findRoots(*project.graph);
-  const bool anyHidden = std::ranges::any_of(project.graph->arrows, &Arrow::hidden);
-  for (const Point& point : project.graph->points) {
-    // A point all of whose arrows are hidden is hidden with them.
-    if (anyHidden && !shown.contains(point.id)) continue;
-    const float kind = std::ranges::binary_search(roots, point.id) ? MARK_ROOT : MARK_POINT;
-    marks.points.push_back({{point.position, 0.0f, kind}, {0.0f, 0.0f, 0.0f, state(point.id)}, glm::vec4(0.0f)});
-  }
+  addArrows(marks, graph, links, hubs, signals, state);
+  addPoints(marks, graph, links, hubs, state);
   for (const Probe& probe : *project.probes) {
     if (probe.hidden) continue;
-    marks.points.push_back({{probe.position, 0.0f, MARK_PROBE}, {0.0f, 0.0f, 0.0f, state(probe.id)}, glm::vec4(0.0f)});
+    marks.points.push_back({{probe.position, kLeastHub, MARK_PROBE}, {0.0f, 0.0f, 0.0f, state(probe.id)}, {}, {}});
   }
   for (const Obstacle& obstacle : *project.obstacles) {
     if (obstacle.hidden) continue;
     const Solid solid = makeSolids({obstacle}).front();
-    marks.outlines.push_back({solid.place, {solid.shape.x, solid.shape.y, solid.shape.z, state(obstacle.id)}, {solid.shape.w, 0.0f, 0.0f, 0.0f}});
+    marks.outlines.push_back(
+        {solid.place, {solid.shape.x, solid.shape.y, solid.shape.z, state(obstacle.id)}, {solid.shape.w, 0, 0, 0}, {}});
   }
   return marks;
 }
 
-VectorLattice makeVectorLattice(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field) {
-  const glm::mat4 inverse = glm::inverse(camera.projection(static_cast<float>(size.x) / static_cast<float>(size.y)) * camera.view());
-  const glm::vec2 fieldLow = field.centre - 0.5f * field.size, fieldHigh = field.centre + 0.5f * field.size;
-  const float reach = glm::length(field.size) + glm::length(camera.position - glm::vec3(field.centre.x, 0.0f, field.centre.y));
-  glm::vec2 low(1e30f), high(-1e30f);
-  for (const float x : {-1.0f, 0.0f, 1.0f}) {
-    for (const float y : {-1.0f, 0.0f, 1.0f}) {
-      const glm::vec2 at = onGround(inverse, {x, y}, reach);
-      low = glm::min(low, at);
-      high = glm::max(high, at);
+bool MarkCache::fresh(const FrameInput& input) const {
+  const Project& project = *input.project;
+  return m_graph == project.graph && m_obstacles == project.obstacles && m_probes == project.probes &&
+         m_evaluated == (input.graph != nullptr) && m_hovered == input.highlight.hovered &&
+         std::ranges::equal(m_selected, input.highlight.selected);
+}
+
+MarkCache::Change MarkCache::update(const FrameInput& input) {
+  Change change;
+  if (!fresh(input)) {
+    const Project& project = *input.project;
+    const GraphLinks links(*project.graph);
+    if (m_graph != project.graph || m_evaluated != (input.graph != nullptr)) {
+      m_signals.build(*project.graph, links, input.graph);
     }
+    m_marks = makeOverlayMarks(project, links, m_signals, input.highlight);
+    m_graph = project.graph;
+    m_obstacles = project.obstacles;
+    m_probes = project.probes;
+    m_evaluated = input.graph != nullptr;
+    m_selected.assign(input.highlight.selected.begin(), input.highlight.selected.end());
+    m_hovered = input.highlight.hovered;
+    change.marks = true;
   }
-  low = glm::max(low, fieldLow);
-  high = glm::min(high, fieldHigh);
-  VectorLattice lattice;
-  if (low.x >= high.x || low.y >= high.y) return lattice;
-  const float wanted = std::max(high.x - low.x, high.y - low.y) / kVectorsAcross;
-  lattice.spacing = std::exp2(std::ceil(std::log2(wanted) - 0.5f));
-  const glm::vec2 start = glm::ceil(low / lattice.spacing), end = glm::floor(high / lattice.spacing);
-  lattice.first = start * lattice.spacing;
-  lattice.nodes = glm::max(glm::ivec2(end - start) + 1, glm::ivec2(0));
-  return lattice;
+  change.levels = m_signals.refresh(input.time);
+  return change;
 }
 
 }  // namespace windloom

@@ -3,7 +3,9 @@
 
 #include <vector>
 
+#include "engine/model/graph_links.hpp"
 #include "engine/render/frame_renderer.hpp"
+#include "engine/render/overlay_signals.hpp"
 #include "shaders/shared/overlay_mark.h"
 
 namespace windloom {
@@ -16,20 +18,33 @@ struct OverlayMarks {
   std::vector<OverlayMark> outlines;
 };
 
-/// Hidden things are left out; arrows need both their points. `graph` (may be null) gives the factors at
-/// `time`, else they are 1.
-OverlayMarks makeOverlayMarks(const Project& project, const GraphEvaluator* graph, double time, float speedRange,
+/// Hidden things are left out; arrows need both their points. `signals` must have been built for the graph.
+OverlayMarks makeOverlayMarks(const Project& project, const GraphLinks& links, const OverlaySignals& signals,
                               const Highlight& highlight);
 
-/// A lattice of wind vectors that stands still in the world while the camera moves.
-struct VectorLattice {
-  glm::vec2 first{0.0f};  ///< m
-  float spacing = 1.0f;   ///< m
-  glm::ivec2 nodes{0};
-};
+/// Marks and signals of the project last seen, made again only where something they show has changed.
+class MarkCache {
+ public:
+  struct Change {
+    bool marks = false, levels = false;
+  };
+  /// What changed since the last call.
+  Change update(const FrameInput& input);
 
-/// About 40 nodes along the longer visible side of the field, on multiples of a power of two of a metre.
-/// No nodes where none of the field is seen.
-VectorLattice makeVectorLattice(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field);
+  [[nodiscard]] const OverlayMarks& marks() const { return m_marks; }
+  [[nodiscard]] const OverlaySignals& signals() const { return m_signals; }
+
+ private:
+  [[nodiscard]] bool fresh(const FrameInput& input) const;
+
+  Shared<WindGraph> m_graph;
+  Shared<std::vector<Obstacle>> m_obstacles;
+  Shared<std::vector<Probe>> m_probes;
+  bool m_evaluated = false;
+  std::vector<Id> m_selected;
+  Id m_hovered = 0;
+  OverlayMarks m_marks;
+  OverlaySignals m_signals;
+};
 
 }  // namespace windloom

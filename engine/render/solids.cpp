@@ -15,16 +15,34 @@ constexpr int kMapSide = 1024;           // texels along the longer side: 12 cm 
 constexpr int kStrips = 3, kSectors = 32;  // as in shaders/terrain/solid.vert
 constexpr float kFarM = 8.0f;            // distance where no solid is near
 
+/// The lowest ground along the outline and at the centre.
+float footOf(const Solid& solid, const HeightField& ground) {
+  const glm::vec2 centre(solid.place), half(solid.place.z, solid.place.w);
+  float lowest = heightAt(ground, centre);
+  for (int sector = 0; sector < kSectors; ++sector) {
+    const float turn = 6.2831853f * static_cast<float>(sector) / static_cast<float>(kSectors);
+    glm::vec2 local(std::cos(turn), std::sin(turn));
+    if (solid.shape.w == SOLID_BOX) local /= std::max(std::abs(local.x), std::abs(local.y));
+    local *= half;
+    const glm::vec2 at(solid.shape.x * local.x - solid.shape.y * local.y, solid.shape.y * local.x + solid.shape.x * local.y);
+    lowest = std::min(lowest, heightAt(ground, centre + at));
+  }
+  return lowest;
+}
+
 }  // namespace
 
-std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles) {
+std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles, const HeightField* ground) {
   std::vector<Solid> solids;
   for (const Obstacle& obstacle : obstacles) {
     if (obstacle.hidden) continue;
     const bool circle = obstacle.shape == ObstacleShape::Circle;
     const glm::vec2 half = circle ? glm::vec2(obstacle.radius) : 0.5f * obstacle.size;
     const float turn = circle ? 0.0f : glm::radians(obstacle.rotation);
-    solids.push_back({{obstacle.centre, half}, {std::cos(turn), std::sin(turn), obstacle.height, circle ? SOLID_CIRCLE : SOLID_BOX}});
+    solids.push_back({{obstacle.centre, half}, {std::cos(turn), std::sin(turn), obstacle.height, circle ? SOLID_CIRCLE : SOLID_BOX}, {0.0f, obstacle.height, 0.0f, 0.0f}});
+    if (ground == nullptr) continue;
+    Solid& solid = solids.back();
+    solid.level = {footOf(solid, *ground), heightAt(*ground, obstacle.centre) + obstacle.height, 0.0f, 0.0f};
   }
   return solids;
 }
@@ -54,8 +72,8 @@ Status SolidPass::makeMap(glm::ivec2 size) {
   return Done{};
 }
 
-Status SolidPass::configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field) {
-  const std::vector<Solid> solids = makeSolids(obstacles);
+Status SolidPass::configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field, const HeightField* ground) {
+  const std::vector<Solid> solids = makeSolids(obstacles, ground);
   const glm::vec2 area = solidMapArea(field).size;
   const glm::ivec2 size = glm::max(glm::ivec2(area / std::max(area.x, area.y) * float(kMapSide)), glm::ivec2(16));
   if (Status made = makeMap(size); !made) return made;

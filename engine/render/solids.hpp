@@ -16,8 +16,9 @@ namespace windloom {
 
 using shared::Solid;
 
-/// The obstacles that are drawn: hidden ones are left out.
-std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles);
+/// The obstacles that are drawn: hidden ones are left out. `ground` null: flat. A solid is as high over the ground at
+/// its centre as its obstacle says, and reaches down to the lowest ground under its outline.
+std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles, const HeightField* ground = nullptr);
 
 class SolidPass {
  public:
@@ -25,9 +26,9 @@ class SolidPass {
   static Result<SolidPass> create(gpu::ShaderLibrary& shaders);
 
   /// Takes over obstacles; the map is drawn anew by the next updateMap(). Fails with Machine.
-  Status configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field);
+  Status configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field, const HeightField* ground);
 
-  /// Draws the map where it is out of date. The frame block must be bound.
+  /// Draws the map where it is out of date. Frame block and ground must be bound.
   void updateMap();
   void bindMap() const;
   void draw(const gpu::PassState& state) const;

@@ -17,6 +17,8 @@ struct ViewCamera {
   [[nodiscard]] glm::mat4 view() const;
   /// OpenGL clip space; `aspect` = width / height.
   [[nodiscard]] glm::mat4 projection(float aspect) const;
+
+  bool operator==(const ViewCamera&) const = default;
 };
 
 }  // namespace windloom

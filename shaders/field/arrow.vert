@@ -1,44 +1,60 @@
 #version 450 core
-// An arrow as a solid ridge lying on the tips of the grass: tail, two shaft faces, two head faces.
+// An arrow as a solid ridge lying on the tips of the grass: a shaft in segments that follow the ground, and a head.
+// With a seam, its shape grown by that, which is drawn under the arrow.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/overlay.glsl"
+#include "shaders/include/arrow_shape.glsl"
 
 layout(std430, binding = RENDER_SSBO_MARKS) readonly buffer Marks { OverlayMark marks[]; };
-uniform float height;  // m over the ground
+uniform vec2 lift;     // m over the ground, m that the depth leads
+uniform int segments;  // of the shaft
+uniform float seam;    // pixels; 0: the arrow itself
+uniform float markedSeam;  // of hovered and selected arrows
 
 out vec3 arrowNormal;
-out vec2 arrowPlace;  // m along and share across (-1..1)
+out vec2 arrowPlace;        // m along and share across (-1..1)
+out float arrowLevel;       // place in the table of signal levels
 flat out vec4 arrowLook;
-flat out vec2 arrowSizes;  // length, muted
+flat out vec4 arrowSizes;   // half width m, travel speed m/s, first and last place in the table
 
-// Corners: 0 tail left, 1 tail ridge, 2 tail right, 3 neck left, 4 neck ridge, 5 neck right, 6 barb left,
-// 7 barb ridge, 8 barb right, 9 tip. Faces wind counter-clockwise from above.
-const int kFaces[27] = int[27](0, 1, 4, 0, 4, 3, 1, 2, 5, 1, 5, 4, 6, 7, 9, 7, 8, 9, 6, 7, 3, 7, 8, 5, 0, 2, 1);
+// Two quads a segment, left and right of the ridge, counter-clockwise from above: segment's end, share across.
+const ivec2 kShaft[12] = ivec2[12](ivec2(0, -1), ivec2(0, 0), ivec2(1, 0), ivec2(0, -1), ivec2(1, 0), ivec2(1, -1),
+                                   ivec2(0, 0), ivec2(0, 1), ivec2(1, 1), ivec2(0, 0), ivec2(1, 1), ivec2(1, 0));
+// The head: neck ridge 0, barbs 1 and 2, tip 3, shaft's corners at the neck 4 and 5.
+const int kHead[12] = int[12](1, 0, 3, 0, 2, 3, 4, 1, 0, 2, 5, 0);
 
 void main() {
   OverlayMark mark = marks[gl_InstanceID];
-  vec2 span = mark.place.zw - mark.place.xy;
-  float len = max(length(span), 1e-4);
-  vec2 along = span / len;
-  vec2 aside = vec2(-along.y, along.x);
-  float least = metresFor(2.2, mark.place.xy + 0.5 * span);
-  float wide = max(clamp(0.16 * mark.look.x, 0.12, 0.9), least) * (mark.look.w == MARK_NORMAL ? 1.0 : 1.2);
-  wide = min(wide, 0.22 * len);
-  float head = min(3.6 * wide, 0.55 * len);
-  int corner = kFaces[gl_VertexID];
-  int place = corner < 3 ? 0 : corner < 9 ? 1 : 2;
-  float across = corner == 1 || corner == 4 || corner == 7 || corner == 9 ? 0.0 : corner == 0 || corner == 3 || corner == 6 ? -1.0 : 1.0;
-  float reach = corner >= 6 && corner < 9 ? 2.4 * wide : wide;
-  float s = place == 0 ? 0.0 : place == 1 ? len - head : len;
-  if (corner == 6 || corner == 8) s -= 0.25 * head;
-  vec2 at = mark.place.xy + along * s + aside * across * reach;
-  float y = height + (across == 0.0 && place != 2 ? 0.75 * wide : 0.0);
-  // Faces of one side share a normal: the ridge's slope.
-  int face = gl_VertexID / 3;
-  float side = face == 8 ? 0.0 : face == 0 || face == 1 || face == 4 || face == 6 ? -1.0 : 1.0;
-  arrowNormal = face == 8 ? vec3(-along.x, 0.3, -along.y) : normalize(vec3(aside.x * side, 1.3, aside.y * side));
+  ArrowLine line = arrowLine(mark);
+  float seamPixels = mark.look.w == MARK_NORMAL ? seam : markedSeam;
+  float grown = seam > 0.0 ? metresFor(seamPixels * pixelUnit(), line.from + line.along * 0.5 * (line.start + line.end)) : 0.0;
+  float neck = line.end - line.head;
+  float s, reach, ridge = 0.0, across;
+  int place = gl_VertexID - 12 * segments;
+  if (place < 0) {
+    ivec2 corner = kShaft[gl_VertexID % 12];
+    float step0 = float(gl_VertexID / 12 + corner.x) / float(segments);
+    s = mix(line.start - grown, neck, step0);
+    across = float(corner.y);
+    reach = across * (line.halfWidth + grown);
+    ridge = corner.y == 0 ? 1.0 : 0.0;
+  } else {
+    int corner = kHead[place];
+    float barb = 2.3 * line.halfWidth + 1.6 * grown;
+    across = corner == 1 ? -1.0 : corner == 2 ? 1.0 : corner == 4 ? -1.0 : corner == 5 ? 1.0 : 0.0;
+    reach = across * (corner == 1 || corner == 2 ? barb : line.halfWidth + grown);
+    s = corner == 3 ? line.end + 2.2 * grown : corner == 1 || corner == 2 ? neck - 0.25 * line.head - grown : neck;
+    ridge = corner == 0 ? 1.0 : 0.0;
+    if (corner == 1 || corner == 2) across *= 2.3;
+  }
+  vec2 at = line.from + line.along * s + line.aside * reach;
+  float rise = ARROW_RISE * (line.halfWidth + grown) * ridge;
+  float side = place < 0 ? (gl_VertexID % 12 < 6 ? -1.0 : 1.0) : (place / 3 == 0 || place / 3 == 2 ? -1.0 : 1.0);
+  arrowNormal = normalize(vec3(line.aside.x * side, 1.3, line.aside.y * side));
   arrowPlace = vec2(s, across);
+  float whole = max(length(mark.place.zw - mark.place.xy), 1e-4);
+  arrowLevel = mark.signal.x + mark.signal.y * clamp(s / whole, 0.0, 1.0);
   arrowLook = mark.look;
-  arrowSizes = vec2(len, mark.more.y);
-  gl_Position = frame.viewProjection * vec4(at.x, y, at.y, 1.0);
+  arrowSizes = vec4(line.halfWidth, mark.more.w, mark.signal.x, mark.signal.x + mark.signal.y);
+  gl_Position = clipWithLead(overGround(at, lift.x + rise), lift.y);
 }

@@ -19,10 +19,12 @@ vec2 outline(int sector, float shape) {
 void main() {
   OverlayMark mark = marks[gl_InstanceID];
   int sector = gl_VertexID >> 1;
-  float wide = metresFor(mark.look.w == MARK_NORMAL ? 1.5 : 3.0, mark.place.xy);
+  float wide = metresFor(pixelUnit() * (mark.look.w == MARK_NORMAL ? 1.5 : 3.0), mark.place.xy);
   vec2 halfSize = mark.place.zw + ((gl_VertexID & 1) == 0 ? 0.0 : wide);
   vec2 local = outline(sector, mark.more.x) * halfSize;
   vec2 at = mark.place.xy + vec2(mark.look.x * local.x - mark.look.y * local.y, mark.look.y * local.x + mark.look.x * local.y);
   outlineState = mark.look.w;
-  gl_Position = frame.viewProjection * vec4(at.x, mark.look.z + 0.02, at.y, 1.0);
+  // The edge is level, on its solid's foot.
+  float foot = groundHeight(mark.place.xy);
+  gl_Position = frame.viewProjection * vec4(at.x, foot + mark.look.z + 0.02, at.y, 1.0);
 }

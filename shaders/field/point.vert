@@ -1,10 +1,11 @@
 #version 450 core
-// Points and probes: a disc on the ground, never smaller than a few pixels; a probe has a mast too.
+// Points and probes: a disc on the ground, never smaller than a few pixels, as wide as the arrows that meet there; a
+// probe has a mast too.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/overlay.glsl"
 
 layout(std430, binding = RENDER_SSBO_MARKS) readonly buffer Marks { OverlayMark marks[]; };
-uniform float height;
+uniform vec2 lift;  // m over the ground, m that the depth leads
 
 out vec2 pointPlace;  // -1..1
 flat out vec2 pointKind;  // MARK_*, state
@@ -17,14 +18,16 @@ void main() {
   pointPlace = vec2(corner & 1, corner >> 1) * 2.0 - 1.0;
   pointKind = vec2(mark.place.w, mark.look.w);
   pointMast = mast ? 1.0 : 0.0;
-  float radius = max(mark.place.w == MARK_POINT ? 0.45 : 0.65, metresFor(mark.place.w == MARK_POINT ? 7.0 : 9.0, mark.place.xy));
-  vec3 foot = vec3(mark.place.x, height, mark.place.y);
-  vec3 world = foot + vec3(pointPlace.x, 0.0, pointPlace.y) * radius;
+  float radius = discRadius(mark.place.z, mark.place.w, mark.place.xy);
+  // As high as the ridges of the arrows that meet here.
+  float rise = lift.x + ARROW_RISE * mark.place.z;
+  vec3 foot = overGround(mark.place.xy, rise);
+  vec3 world = overGround(mark.place.xy + pointPlace * radius, rise);
   if (mast) {
     vec3 v = directionToCamera(foot);
     vec3 aside = normalize(cross(vec3(0.0, 1.0, 0.0), v) + vec3(1e-5, 0.0, 0.0));
     world = foot + aside * pointPlace.x * 0.09 * radius + vec3(0.0, (0.5 + 0.5 * pointPlace.y) * 2.6 * radius, 0.0);
     if (mark.place.w != MARK_PROBE) world = foot;
   }
-  gl_Position = frame.viewProjection * vec4(world, 1.0);
+  gl_Position = clipWithLead(world, lift.y);
 }

@@ -44,7 +44,7 @@ Spine spineAt(GrassBlade blade, float s, vec2 facing, float height) {
 }
 
 #if SEGMENTS > 1
-vec3 litColour(GrassBlade blade, Spine spine, vec3 centre, float s, vec3 n, vec3 towardsEdge, vec3 v, float share) {
+vec3 litColour(GrassBlade blade, Spine spine, float s, vec3 n, vec3 towardsEdge, vec3 v, float share) {
   vec2 shade = unpackHalf2x16(blade.shade);
   vec4 tint = unpackUnorm4x8(blade.tint);
   float height = unpackHalf2x16(blade.sizes).x;
@@ -55,8 +55,8 @@ vec3 litColour(GrassBlade blade, Spine spine, vec3 centre, float s, vec3 n, vec3
   GrassLight at;
   at.height = canopy;
   at.dense = grass.levels.z;
-  at.sunlit = smoothstep(-0.15, 0.15, centre.y - shade.x);
-  at.shade = heightWindShade(centre.y / height, shade.y) * mix(tint.a, 1.0, 0.5 * canopy);
+  at.sunlit = smoothstep(-0.15, 0.15, spine.position.y - shade.x);
+  at.shade = heightWindShade(spine.position.y / height, shade.y) * mix(tint.a, 1.0, 0.5 * canopy);
   vec3 albedo = laidAlbedo(bladeAlbedo(s, tint.r, 2.0 * tint.g, 2.0 * tint.b - 1.0), spine.tangent);
   return lightBlade(albedo, normalize(n + 0.55 * towardsEdge), spine.tangent, v, at);
 }
@@ -68,9 +68,10 @@ void main() {
   float s = float(row) / float(SEGMENTS);
   float edge = row == SEGMENTS ? 0.0 : (gl_VertexID & 1) == 0 ? -1.0 : 1.0;
   vec2 sizes = unpackHalf2x16(blade.sizes);
-  vec2 facing = unpackHalf2x16(blade.facing);
+  vec2 facing = unpackSnorm4x8(blade.facing).xy;
+  float rootHeight = mix(frame.groundRange.x, frame.groundRange.y, float(blade.facing >> 16u) / 65535.0);
   Spine spine = spineAt(blade, s, facing, sizes.x);
-  vec3 centre = vec3(blade.x, 0.0, blade.z) + spine.position;
+  vec3 centre = vec3(blade.x, rootHeight, blade.z) + spine.position;
   vec3 v = directionToCamera(centre);
 
   // A bent blade turns its face into the bend. Seen from its edge it is turned to the eye, so that it never
@@ -93,7 +94,7 @@ void main() {
 #if SEGMENTS == 1
   bladeColour = afar;
 #else
-  vec3 lit = litColour(blade, spine, centre, s, n, side * edge, v, canopyShare.x * 2.0);
+  vec3 lit = litColour(blade, spine, s, n, side * edge, v, canopyShare.x * 2.0);
   float tall = sizes.x * pixelsPerMetre(centre);
   bladeColour = mix(toPicture(throughAir(lit, world)), afar, smoothstep(2.2 * grass.levels.y, grass.levels.y, tall));
   bladePlace = vec2(edge, s);

@@ -2,6 +2,7 @@
 // Which tiles of the meadow may be seen, and how many of their blades: appends chunks for place_blades.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
+#include "shaders/include/ground.glsl"
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
@@ -9,6 +10,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = RENDER_SSBO_CHUNKS) writeonly buffer Chunks { GrassChunk chunks[]; };
 layout(std430, binding = RENDER_SSBO_COMMANDS) buffer Commands { GrassCommands commands; };
+layout(std430, binding = RENDER_SSBO_GRASS_BOUNDS) readonly buffer Bounds { vec2 bounds[]; };  // of the ground in a tile, m
 
 void main() {
   uint tile = gl_GlobalInvocationID.x;
@@ -16,8 +18,9 @@ void main() {
   float tall = grass.size.y;
   vec2 low = tileLow(tile) - tall;
   vec2 high = low + grass.tiles.z + 2.0 * tall;
-  vec3 centre = vec3(0.5 * (low.x + high.x), 0.5 * tall, 0.5 * (low.y + high.y));
-  vec3 halfSize = vec3(0.5 * (high.x - low.x), 0.5 * tall, 0.5 * (high.y - low.y));
+  vec2 level = groundIsFlat() ? vec2(0.0) : bounds[tile];
+  vec3 centre = vec3(0.5 * (low.x + high.x), 0.5 * (level.x + level.y + tall), 0.5 * (low.y + high.y));
+  vec3 halfSize = vec3(0.5 * (high.x - low.x), 0.5 * (level.y - level.x + tall), 0.5 * (high.y - low.y));
   if (!insideFrustum(centre, halfSize)) return;
 
   float pixels = frame.pixelScale.x;

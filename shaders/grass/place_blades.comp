@@ -4,6 +4,7 @@
 // of its level of detail.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
+#include "shaders/include/ground.glsl"
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
@@ -66,31 +67,40 @@ float inMargin(vec2 root) {
 
 // The colour of a blade that is too small on screen to be lit for itself: the meadow's, so that blades and ground
 // agree, tinted by how the blade differs from its neighbours.
-vec3 colourFromAfar(vec2 root, vec2 felt, SolidsNear solids, vec3 ownTint) {
-  vec3 place = vec3(root.x, 0.0, root.y);
+vec3 colourFromAfar(vec3 place, vec2 felt, SolidsNear solids, float slope, vec3 ownTint) {
+  vec2 root = place.xz;
   vec2 patchTint = meadowPatch(root);
   vec3 mean = bladeAlbedo(0.7, patchTint.x * grass.dryColour.w, patchTint.y, 0.0);
   vec3 own = bladeAlbedo(0.7, ownTint.x, ownTint.y, ownTint.z);
   float sunlit = smoothstep(-0.15, 0.15, 0.3 * grass.baseColour.w - solids.shadowHeight);
   vec3 light = meadowColour(root, felt, directionToCamera(place), sunlit) * mix(openness(solids.distanceM), 1.0, 0.5);
-  return toPicture(throughAir(light * clamp(own / mean, 0.5, 1.8), place));
+  return toPicture(throughAir(light * slope * clamp(own / mean, 0.5, 1.8), place));
+}
+
+// Undone by blade.vert.
+uint packFacing(vec2 facing, float height) {
+  float part = (height - frame.groundRange.x) / max(frame.groundRange.y - frame.groundRange.x, 1e-6);
+  return (packSnorm4x8(vec4(facing, 0.0, 0.0)) & 0xffffu) | uint(clamp(part, 0.0, 1.0) * 65535.0 + 0.5) << 16u;
 }
 
 bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint level) {
   uint seed = tileHash(tile);
   vec2 root = rootInTile(tile, index, seed);
   uint state = hashCombine(seed ^ 0x2545f491u, index);
-  float pixels = pixelsPerMetre(vec3(root.x, 0.0, root.y));
+  vec3 place = vec3(root.x, groundHeight(root), root.y);
+  float pixels = pixelsPerMetre(place);
   float kept = keptPart(pixels);
   float rank = (float(index) + 0.5) / float(total);
   float grown = smoothstep(0.0, 1.0, (kept - rank) / (0.25 * kept));
   if (grown <= 0.0) return false;
-  if (!insideFrustum(vec3(root.x, 0.5 * grass.size.y, root.y), vec3(grass.size.y, 0.5 * grass.size.y, grass.size.y))) return false;
+  if (!insideFrustum(place + vec3(0.0, 0.5 * grass.size.y, 0.0), vec3(grass.size.y, 0.5 * grass.size.y, grass.size.y))) return false;
   float margin = inMargin(root);
   if (unit(state) < margin * margin) return false;
   SolidsNear solids = solidsNear(root);
   float solid = solids.distanceM;
   if (solid < 0.02) return false;
+  GroundLight ground = groundLight(root, pixels);
+  solids.shadowHeight = max(solids.shadowHeight, softened(ground.shadowHeight));
 
   uint clump = clumpOf(root);
   uint clumpState = pcgHash(clump);
@@ -123,14 +133,15 @@ bool makeBlade(uint tile, uint index, uint total, out GrassBlade blade, out uint
   float bright = patchTint.y * (0.78 + 0.44 * mix(unit(state), unit(clumpState), 0.5 * shareClump));
   float hue = 2.0 * mix(unit(state), unit(clumpState), 0.7 * shareClump) - 1.0;
 
+  float slope = slopeLight(ground.normal, smoothstep(-0.15, 0.15, 0.3 * grass.baseColour.w - solids.shadowHeight));
   blade.x = root.x;
   blade.z = root.y;
   blade.sizes = packHalf2x16(vec2(height, width));
-  blade.facing = packHalf2x16(facing);
+  blade.facing = packFacing(facing, place.y);
   blade.bend = packHalf2x16(bend);
   blade.shade = packHalf2x16(vec2(solids.shadowHeight, shadeForce(length(felt))));
-  blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright, 0.5 + 0.5 * hue, openness(solid)));
-  blade.canopy = packUnorm4x8(vec4(0.5 * canopy, colourFromAfar(root, felt, solids, vec3(dry, bright, hue))));
+  blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright * slope, 0.5 + 0.5 * hue, openness(solid)));
+  blade.canopy = packUnorm4x8(vec4(0.5 * canopy, colourFromAfar(place, felt, solids, slope, vec3(dry, bright, hue))));
   float tall = height * pixels;
   level = tall > grass.levels.x ? 0u : tall > grass.levels.y ? 1u : 2u;
   return true;

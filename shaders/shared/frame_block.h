@@ -20,11 +20,14 @@ struct FrameBlock {
   vec4 solidMap;        // low corner x, z and 1 / size x, z of the map of solids, 1/m
   vec4 groundColour;    // rgb of the bare ground, linear
   vec4 ambientWind;     // x, z m/s: the wind outside the field
+  vec4 ground;          // low corner x, z of the uneven ground, m; samples a metre along x, z
+  vec4 groundGrid;      // samples along x, z (0: the ground is flat at 0); its height is z + w * texel, m
+  vec4 groundRange;     // lowest and highest height, m
   vec4 frustum[6];      // planes, normals inwards, normalised
 };
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::FrameBlock) == 2 * 64 + 12 * 16 + 6 * 16, "std140 layout");
+static_assert(sizeof(windloom::shared::FrameBlock) == 2 * 64 + 15 * 16 + 6 * 16, "std140 layout");
 #endif
 #endif

@@ -43,10 +43,10 @@ struct GrassBlade {
   float x;          // root, m
   float z;
   uint sizes;       // half2: height m, width m
-  uint facing;      // half2: unit vector of the blade's front in (x, z)
+  uint facing;      // snorm2x8: unit vector of the blade's front in (x, z); unorm16: root from the lowest to the highest ground
   uint bend;        // half2: arc: direction times angle in rad; quadratic: F V
   uint shade;       // half2: height of the shadow of solids over the root, m; |F| of eq. 14
-  uint tint;        // unorm4: dryness, half the brightness, hue from -1..1, openness beside solids
+  uint tint;        // unorm4: dryness, half the brightness (with the slope's light), hue from -1..1, openness beside solids
   uint canopy;      // unorm4: half the height of the canopy around it over the mean one; its colour in the picture from afar
 };
 

@@ -13,15 +13,24 @@ WL_SHARED_BEGIN
 #define MARK_PROBE 2.0f
 
 struct OverlayMark {
-  vec4 place;  // arrow: from x, z, to x, z, m. Point, probe: x, z, unused, MARK_POINT...; outline: as Solid::place
-  vec4 look;   // arrow: radius m, place in the speed map 0..1, factor of its signal, MARK_NORMAL...
-               // point, probe: unused, unused, unused, state; outline: cosine, sine, height, state
-  vec4 more;   // arrow: where its area begins (0 along, 1 at its end), 1 where muted, s its signal took so far, unused.
-               // outline: SOLID_*
+  vec4 place;   // arrow: from x, z, to x, z, m. Point, probe: x, z, hub radius m, MARK_POINT...; outline: as Solid::place
+  vec4 look;    // arrow: radius m, strength, 1 where muted, MARK_NORMAL...
+                // point, probe: unused, unused, unused, state; outline: cosine, sine, height, state
+  vec4 more;    // arrow: where its area begins (0 along, 1 at its end), hub radius m at its start and at its end,
+                // its travel speed, m/s. Outline: SOLID_*
+  vec4 signal;  // arrow: place of its start in the table of signal levels, entries from there to its end
 };
+
+#define ARROW_RISE 0.3f  // of its ridge over its edges, of half its width
+
+/// Half of the width an arrow is drawn with, m.
+WL_FUNCTION float arrowHalfWidth(float radius) {
+  float wide = 0.15f * radius;
+  return wide < 0.12f ? 0.12f : wide > 0.9f ? 0.9f : wide;
+}
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::OverlayMark) == 48, "std430 layout");
+static_assert(sizeof(windloom::shared::OverlayMark) == 64, "std430 layout");
 #endif
 #endif

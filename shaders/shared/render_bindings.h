@@ -11,6 +11,9 @@
 #define RENDER_TEXTURE_NOISE 1
 #define RENDER_TEXTURE_SKY 2
 #define RENDER_TEXTURE_SOLIDS 3
+#define RENDER_TEXTURE_MAP 8
+#define RENDER_TEXTURE_GROUND 4
+#define RENDER_TEXTURE_GROUND_LIGHT 5
 
 // Storage buffers.
 #define RENDER_SSBO_CHUNKS 0
@@ -18,5 +21,11 @@
 #define RENDER_SSBO_COMMANDS 2
 #define RENDER_SSBO_SOLIDS 3
 #define RENDER_SSBO_MARKS 4
+#define RENDER_SSBO_LEVELS 5
+#define RENDER_SSBO_SEEDS 6
+#define RENDER_SSBO_LINES 7
+// OpenGL promises eight; these passes have no marks.
+#define RENDER_SSBO_GROUND_TILES 4
+#define RENDER_SSBO_GRASS_BOUNDS 4
 
 #endif

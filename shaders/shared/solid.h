@@ -10,10 +10,11 @@ WL_SHARED_BEGIN
 struct Solid {
   vec4 place;  // centre x, z, half size along its own axes (circle: radius twice), m
   vec4 shape;  // cosine and sine of its rotation, height m, SOLID_*
+  vec4 level;  // y of its foot (the lowest ground under it) and of its top, m
 };
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::Solid) == 32, "std430 layout");
+static_assert(sizeof(windloom::shared::Solid) == 48, "std430 layout");
 #endif
 #endif

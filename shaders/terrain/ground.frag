@@ -3,6 +3,7 @@
 // the meadow with the same wind in it, so that there is no seam where blades end.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
+#include "shaders/include/ground.glsl"
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
@@ -27,7 +28,9 @@ void main() {
   vec3 v = directionToCamera(groundWorld);
   float pixels = pixelsPerMetre(groundWorld);
   SolidsNear solids = solidsNear(world);
-  float sunlit = smoothstep(-0.1, 0.1, 0.02 - solids.shadowHeight);
+  GroundLight slope = groundLight(world, pixels);
+  float sunlit = smoothstep(-0.1, 0.1, 0.02 - max(solids.shadowHeight, softened(slope.shadowHeight)));
+  float light = slopeLight(slope.normal, sunlit);
   float open = openness(solids.distanceM);
   vec4 fine = noiseAt(world, 1.9);
   vec4 mid = noiseAt(world.yx, 8.3);
@@ -39,5 +42,5 @@ void main() {
   vec3 meadow = meadowColour(world, wind, v, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);
   float litter = smoothstep(0.35, 0.7, 0.6 * fine.a + 0.4 * mid.r);
   vec3 ground = undergrowth(litter, 0.65 + 0.7 * fine.b, sunlit, open);
-  writeScene(throughAir(mix(ground, meadow, mean), groundWorld));
+  writeScene(throughAir(mix(ground, meadow, mean) * light, groundWorld));
 }

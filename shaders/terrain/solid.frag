@@ -2,6 +2,7 @@
 // Weathered stone: grain, lichen, damp at the foot where the grass stands against it.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
+#include "shaders/include/ground.glsl"
 #include "shaders/include/solids.glsl"
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/scene_output.glsl"
@@ -25,12 +26,14 @@ void main() {
   vec3 albedo = mix(vec3(0.17, 0.16, 0.145), vec3(0.36, 0.335, 0.295), smoothstep(0.25, 0.75, 0.6 * broad.r + 0.4 * fine.b));
   float lichen = smoothstep(0.56, 0.66, broad.g * 0.7 + fine.r * 0.3) * (0.35 + 0.65 * max(n.y, 0.0));
   albedo = mix(albedo, vec3(0.24, 0.25, 0.13), lichen * 0.7);
-  float foot = smoothstep(0.0, 0.7, stoneWorld.y);
+  float foot = smoothstep(0.0, 0.7, stoneWorld.y - groundHeight(stoneWorld.xz));
   albedo = mix(albedo * vec3(0.45, 0.48, 0.36), albedo, 0.35 + 0.65 * foot);
   // The sun is hidden where another solid's shadow reaches higher than this point; its own outline is not.
   vec2 lit = stoneWorld.xz + normalize(frame.sunDirection.xz) * 0.25 + n.xz * 0.3;
   SolidsNear near = solidsNear(lit);
-  float shadow = near.distanceM > 0.1 ? smoothstep(-0.2, 0.2, stoneWorld.y - near.shadowHeight) : 1.0;
+  float above = stoneWorld.y - groundHeight(lit);
+  float shadow = near.distanceM > 0.1 ? smoothstep(-0.2, 0.2, above - near.shadowHeight) : 1.0;
+  shadow *= smoothstep(-0.8, 0.8, above - groundLight(lit, 0.0).shadowHeight);
   vec3 light = frame.sunColour.rgb * max(dot(n, frame.sunDirection.xyz), 0.0) * shadow;
   light += frame.skyColour.rgb * (0.55 + 0.45 * n.y) * mix(0.45, 1.0, foot);
   light += frame.sunColour.rgb * vec3(0.035, 0.045, 0.015) * (0.5 - 0.5 * n.y);

@@ -35,7 +35,7 @@ void main() {
   float sector = float(quadSector + (corner & 1));
   float bevel = min(0.12, 0.2 * min(solid.shape.z, min(solid.place.z, solid.place.w)));
   float inset = row < 2 ? 0.0 : row == 2 ? bevel : min(solid.place.z, solid.place.w);
-  float y = row == 0 ? -0.05 : row == 1 ? solid.shape.z - bevel : solid.shape.z;
+  float y = row == 0 ? solid.level.x - 0.05 : row == 1 ? solid.level.y - bevel : solid.level.y;
   vec2 halfSize = row == 3 ? vec2(0.0) : solid.place.zw - inset;
   vec2 local = outline(sector, solid.shape.w) * halfSize;
   // A face of a box has one normal, also at its corners.

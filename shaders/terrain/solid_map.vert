@@ -4,13 +4,14 @@
 #include "shaders/include/solid_shape.glsl"
 
 const float kReachM = 4.0;
+const float kMostDropM = 25.0;  // downhill shadows are cut where the ground lies lower than this
 flat out int solidIndex;
 out vec2 mapWorld;
 
 void main() {
   Solid solid = solids[gl_InstanceID];
   float half0 = length(solid.place.zw) + kReachM;
-  float shadow = solid.shape.z * length(frame.sunDirection.xz) / max(frame.sunDirection.y, 0.05);
+  float shadow = (solid.level.y - max(frame.groundRange.x, solid.level.x - kMostDropM)) * length(frame.sunDirection.xz) / max(frame.sunDirection.y, 0.05);
   vec2 away = -normalize(frame.sunDirection.xz) * shadow;
   vec2 low = solid.place.xy - half0 + min(away, vec2(0.0));
   vec2 high = solid.place.xy + half0 + max(away, vec2(0.0));

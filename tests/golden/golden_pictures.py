@@ -24,6 +24,10 @@ PICTURES = [
     ("meadow-hero", "meadow", ["--camera", "hero", "--time", "3"]),
     ("meadow-hill-arrows", "meadow", ["--camera", "hill", "--time", "5", "--overlay", "arrows"]),
     ("colliding-top-speed", "colliding-winds", ["--camera", "top", "--time", "3", "--overlay", "arrows,vectors,speed"]),
+    ("canyon-top-streamlines", "canyon", ["--camera", "above", "--time", "3", "--overlay", "vorticity,streamlines"]),
+    ("meadow-hill-lic", "meadow", ["--camera", "hill", "--time", "3", "--overlay", "lic,arrows"]),
+    ("colliding-above-divergence", "colliding-winds", ["--camera", "above", "--time", "3", "--overlay", "divergence"]),
+    ("hills-hero", "hills", ["--camera", "hero", "--time", "3"]),
     ("canyon-hero", "canyon", ["--camera", "hero", "--time", "2"]),
 ]
 

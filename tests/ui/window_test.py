@@ -192,6 +192,71 @@ def check_solver(app, project):
     check(app.wait_end() == 0, "closing a saved project must end the editor with 0")
 
 
+OVERLAY_KEYS = {"5": "arrows", "6": "streamlines", "7": "speed", "8": "divergence", "9": "lic"}
+
+
+def viewport_pixels(app, environment):
+    """The middle of the viewport as it is on the screen."""
+    left, top, width, height = app.read_map()[1]["viewport"]
+    shot = subprocess.run(["import", "-window", app.window, "-crop", f"{width - 260}x{height - 80}+{left + 30}+{top + 40}",
+                           "-depth", "8", "rgb:-"], env=environment, capture_output=True)
+    check(shot.returncode == 0, f"the window could not be read: {shot.stderr}")
+    return shot.stdout
+
+
+def difference(a, b):
+    check(len(a) == len(b), "the viewport must keep its size")
+    return sum(abs(x - y) for x, y in zip(a[::7], b[::7])) / len(a[::7])
+
+
+def check_overlays(app, environment):
+    """Keys 5 to 9 switch overlays, one map replaces another, each changes the picture, and all are remembered."""
+    app.key("KP_Home")
+    app.wait_fact("view", "top")
+    app.wait_fact("overlays", "arrows")
+    app.key("space")  # hold the wind, so that only overlays change the picture
+    app.key("5")
+    app.wait_fact("overlays", "")
+
+    def settled():
+        last = viewport_pixels(app, environment)
+        for _ in range(40):
+            now = viewport_pixels(app, environment)
+            if difference(last, now) < 0.02:
+                return now
+            last = now
+        raise Failure("the held picture doesn't rest")
+
+    plain = settled()
+    for key, name in OVERLAY_KEYS.items():
+        app.key(key)
+        app.wait_fact("overlays", name)
+        changed = difference(plain, settled())
+        check(changed > 0.3, f"{name} (key {key}) must show; mean difference {changed}")
+        app.key(key)
+        app.wait_fact("overlays", "")
+    app.key("7")
+    app.wait_fact("overlays", "speed")
+    app.key("9")
+    app.wait_fact("overlays", "lic")
+    app.key("6")
+    app.wait_fact("overlays", "streamlines lic")
+    app.press("toolbar/overlay.vorticity")
+    app.wait_fact("overlays", "streamlines vorticity")
+    app.press("toolbar/overlay.vectors")
+    app.wait_fact("overlays", "vectors streamlines vorticity")
+    boxes = app.read_map()[1]
+    for name in ("legend/speed", "legend/vorticity"):
+        check(name in boxes, f"{name} must show")
+    app.press("legend/vorticity/range")
+    app.wait_fact("typing", "yes")
+    app.type("2.5")
+    app.key("Return")
+    app.wait_fact("typing", "no")
+    app.key("ctrl+q")
+    app.wait_end()
+
+
 def main():
     windloom_editor, windloom = sys.argv[1:3]
     with tempfile.TemporaryDirectory(prefix="windloom-ui-") as name, display() as environment:
@@ -202,11 +267,20 @@ def main():
             places, pixel_m = draw_and_save(app, project)
         ends = check_graph(project, places, pixel_m)
         check_wind(windloom, project, ends)
+        breeze = folder / "breeze.wind.json"
+        breeze.write_text(json.dumps(dict(json.loads(project.read_text()), ambient={"speed": 4, "direction": 20})))
+        with editor(windloom_editor, environment, folder, str(breeze)) as app:
+            check_overlays(app, environment)
+        with editor(windloom_editor, environment, folder, str(breeze)) as app:
+            app.wait_fact("overlays", "vectors streamlines vorticity")  # as left
+        kept = json.loads((folder / "config" / "windloom" / "preferences.json").read_text())["numbers"]
+        check(kept["overlay.vorticityRange"] == 2.5, f"the typed range must be remembered: {kept}")
+        (folder / "config" / "windloom" / "preferences.json").unlink()
         with editor(windloom_editor, environment, folder, str(project)) as app:
             check_solver(app, project)
         with editor(windloom_editor, environment, folder, str(project)) as app:
             check_trouble(app, windloom, folder, project)
-    print("drawn, typed, undone, redone, saved and sampled; broken and unwritable files refused")
+    print("drawn, typed, undone, redone, saved and sampled; overlays switched and remembered; broken and unwritable files refused")
 
 
 if __name__ == "__main__":

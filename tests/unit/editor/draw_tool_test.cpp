@@ -223,13 +223,4 @@ TEST(DrawTool, PressIntoTheSkyDrawsNothing) {
   EXPECT_TRUE(b.graph().points.empty());
 }
 
-TEST(DrawTool, FollowsUnevenGround) {
-  Bench b;
-  b.w.ground.height = [](glm::vec2 place) { return 5.0f + 2.0f * std::sin(0.1f * place.x); };
-  b.w.camera = EditorCamera{};
-  const Id arrow = b.draw({-10, 0}, {12, 9});
-  expectNear(b.place(b.arrow(arrow).from), {-10, 0}, 0.05f);
-  expectNear(b.place(b.arrow(arrow).to), {12, 9}, 0.05f);
-}
-
 }  // namespace windloom::editor

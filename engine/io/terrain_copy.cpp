@@ -1,0 +1,149 @@
+#include "engine/io/terrain_copy.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
+#include "engine/io/sha256.hpp"
+#include "engine/io/terrain_file.hpp"
+#include "engine/model/validate.hpp"
+
+namespace windloom {
+namespace fs = std::filesystem;
+namespace {
+
+bool sameFile(const fs::path& a, const fs::path& b) {
+  std::error_code failed;
+  if (fs::equivalent(a, b, failed)) return true;
+  if (fs::file_size(a, failed) != fs::file_size(b, failed) || failed) return false;
+  const Result<std::string> first = sha256OfFile(a), second = sha256OfFile(b);
+  return first && second && *first == *second;
+}
+
+bool isThere(const fs::path& path) {
+  std::error_code failed;
+  return fs::exists(fs::symlink_status(path, failed));
+}
+
+Status copyFile(const fs::path& from, const fs::path& to) {
+  const Result<std::string> bytes = readFile(from, kMaxTerrainBytes);
+  if (!bytes) return bytes.error();
+  if (Status made = makeFolder(to.parent_path()); !made) return made;
+  return writeFileAtomically(to, *bytes);
+}
+
+/// Where every one of the files is, or could be put without hiding another.
+bool fits(const fs::path& from, const fs::path& to, const std::vector<std::string>& names) {
+  return std::ranges::all_of(names, [&](const std::string& name) {
+    return !isThere(to / name) || sameFile(from / name, to / name);
+  });
+}
+
+Status copyAll(const fs::path& from, const fs::path& to, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (isThere(to / name)) continue;
+    if (Status copied = copyFile(from / name, to / name); !copied) return copied;
+  }
+  return Done{};
+}
+
+std::string decodeUri(const std::string& uri) {
+  std::string text;
+  for (std::size_t i = 0; i < uri.size(); ++i) {
+    const auto digit = [&](std::size_t at) { return at < uri.size() && std::isxdigit(static_cast<unsigned char>(uri[at])); };
+    if (uri[i] == '%' && digit(i + 1) && digit(i + 2)) {
+      text += static_cast<char>(std::stoi(uri.substr(i + 1, 2), nullptr, 16));
+      i += 2;
+    } else {
+      text += uri[i];
+    }
+  }
+  return text;
+}
+
+/// The path of `file` below `folder`; empty where it lies elsewhere.
+std::string pathBelow(const fs::path& file, const fs::path& folder) {
+  std::error_code failed;
+  const fs::path relative = fs::weakly_canonical(file, failed).lexically_relative(fs::weakly_canonical(folder, failed));
+  if (failed || relative.empty() || *relative.begin() == "..") return {};
+  return relative.generic_string();
+}
+
+std::string numbered(const std::string& stem, int number) {
+  return number == 1 ? stem : stem + "-" + std::to_string(number);
+}
+
+}  // namespace
+
+Result<std::vector<std::string>> terrainCompanions(const fs::path& file) {
+  std::vector<std::string> names;
+  if (file.extension() != ".gltf") return names;
+  const Result<std::string> text = readFile(file, kMaxTerrainBytes);
+  if (!text) return text.error();
+  const JsonDocument document = JsonDocument::parse(*text, nullptr, false);
+  if (!document.is_object()) return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");
+  for (const char* list : {"buffers", "images"}) {
+    const auto entries = document.find(list);
+    if (entries == document.end() || !entries->is_array()) continue;
+    for (const JsonDocument& entry : *entries) {
+      const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
+      if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
+      const std::string& address = uri->get_ref<const std::string&>();
+      if (address.starts_with("data:")) continue;
+      const std::string name = decodeUri(address);
+      if (name.find(':') != name.npos || !terrainFileProblem(name).empty()) {
+        return makeError(ErrorKind::BadInput, file.string(), std::string("/") + list,
+                         "refers to '" + address + "', expected files in its own folder: export it as one .glb file");
+      }
+      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+    }
+  }
+  return names;
+}
+
+Result<std::string> bringTerrainFile(const fs::path& file, const fs::path& projectFolder) {
+  if (const std::string inside = pathBelow(file, projectFolder); !inside.empty()) return inside;
+  Result<std::vector<std::string>> companions = terrainCompanions(file);
+  if (!companions) return companions.error();
+  const fs::path from = file.parent_path();
+  for (const std::string& name : *companions) {
+    if (!isThere(from / name))
+      return makeError(ErrorKind::BadInput, file.string(), {}, "refers to '" + name + "', which is not beside it");
+  }
+  const bool alone = companions->empty();
+  const std::string stem = file.stem().string(), ending = file.extension().string();
+  for (int number = 1; number < 1000; ++number) {
+    const std::string name = numbered(stem, number);
+    const fs::path folder = alone ? fs::path("assets") : fs::path("assets") / name;
+    const fs::path target = folder / (alone ? name + ending : stem + ending);
+    if (isThere(projectFolder / target) && !sameFile(file, projectFolder / target)) continue;
+    if (!fits(from, projectFolder / folder, *companions)) continue;
+    // The file itself last: where it is, all of it is.
+    if (Status copied = copyAll(from, projectFolder / folder, *companions); !copied) return copied.error();
+    if (!isThere(projectFolder / target)) {
+      if (Status copied = copyFile(file, projectFolder / target); !copied) return copied.error();
+    }
+    return target.generic_string();
+  }
+  return makeError(ErrorKind::BadInput, file.string(), {}, "can't be copied: too many files have its name in assets/");
+}
+
+Status copyTerrainAlong(const std::string& file, const fs::path& fromFolder, const fs::path& toFolder) {
+  std::error_code failed;
+  if (file.empty() || fs::equivalent(fromFolder, toFolder, failed) || !isThere(fromFolder / file)) return Done{};
+  const fs::path from = (fromFolder / file).parent_path(), to = (toFolder / file).parent_path();
+  std::vector<std::string> names;
+  if (Result<std::vector<std::string>> companions = terrainCompanions(fromFolder / file)) names = std::move(*companions);
+  std::erase_if(names, [&](const std::string& name) { return !isThere(from / name); });
+  names.push_back(fs::path(file).filename().string());
+  for (const std::string& name : names) {
+    if (isThere(to / name) && !sameFile(from / name, to / name)) {
+      return makeError(ErrorKind::BadInput, (to / name).string(), {},
+                       "is another file than the project's terrain: save into another folder, or move it away");
+    }
+  }
+  return copyAll(from, to, names);
+}
+
+}  // namespace windloom

@@ -1,0 +1,129 @@
+// Uneven ground in pictures: it lies where the camera's projection says, and grass stands on it.
+#include <cmath>
+
+#include "shaders/shared/grass_block.h"
+#include "shaders/shared/render_bindings.h"
+#include "tests/gpu/gpu_test.hpp"
+#include "tests/gpu/render/picture.hpp"
+#include "tests/height_fixture.hpp"
+
+namespace windloom {
+namespace {
+
+using testing::difference;
+using testing::draw;
+using testing::heightsFrom;
+using testing::Picture;
+using testing::terrainOf;
+using testing::uniformWind;
+
+class Ground : public testing::GpuTest {
+ protected:
+  void SetUp() override {
+    GpuTest::SetUp();
+    auto made = FrameRenderer::create(context(), shaders());
+    ASSERT_TRUE(made.ok()) << made.error().text();
+    m_renderer = std::move(*made);
+    setDensity(0.0f);
+    FieldSettings field;
+    field.size = {40.0f, 40.0f};
+    field.resolution = {16, 16};
+    m_project.field = std::make_shared<FieldSettings>(field);
+    m_input.project = &m_project;
+    m_input.size = {320, 180};
+    m_input.overlays.arrows = false;
+    m_input.camera.position = {0.0f, 6.0f, 30.0f};
+    m_input.camera.target = {0.0f, 4.0f, 0.0f};
+  }
+  void TearDown() override {
+    m_renderer.reset();
+    GpuTest::TearDown();
+  }
+  void setDensity(float density) {
+    GrassSettings grass;
+    grass.density = density;
+    m_project.grass = std::make_shared<GrassSettings>(grass);
+  }
+  Picture picture() { return draw(*m_renderer, m_input); }
+  glm::vec2 pixelOf(glm::vec3 world) const {
+    const glm::vec4 clip = m_input.camera.projection(320.0f / 180.0f) * m_input.camera.view() * glm::vec4(world, 1.0f);
+    const glm::vec2 device = glm::vec2(clip) / clip.w;
+    return {(0.5f + 0.5f * device.x) * 320.0f, (0.5f - 0.5f * device.y) * 180.0f};
+  }
+
+  std::unique_ptr<FrameRenderer> m_renderer;
+  Project m_project;
+  FrameInput m_input;
+};
+
+/// The row of a column at which the picture changes from sky to what stands before it, from above.
+int skyline(const Picture& with, const Picture& empty, int x) {
+  for (int y = 0; y < with.size.y; ++y) {
+    if (glm::length(with.at(x, y) - empty.at(x, y)) > 25.0f) return y;
+  }
+  return with.size.y;
+}
+
+}  // namespace
+
+TEST_F(Ground, RidgesReachAsHighAsTheProjectionSays) {
+  const Picture empty = picture();
+  const auto ridge = [](glm::vec2 p) { return 9.0f * std::exp(-p.y * p.y / 18.0f) * (0.75f + 0.25f * std::sin(0.3f * p.x)); };
+  m_project.terrain = terrainOf(heightsFrom({257, 257}, {60, 60}, ridge));
+  const Picture hills = picture();
+  for (const float x : {-9.0f, -4.0f, 0.0f, 3.0f, 8.0f}) {
+    const glm::vec2 top = pixelOf({x, heightAt(*m_project.terrain->heights, {x, 0}), 0.0f});
+    EXPECT_NEAR(static_cast<float>(skyline(hills, empty, static_cast<int>(top.x))), top.y, 2.0f) << "x = " << x;
+  }
+}
+
+TEST_F(Ground, EdgesGoOnToTheHorizon) {
+  const Picture flat = picture();
+  m_project.terrain = terrainOf(heightsFrom({33, 33}, {8, 8}, [](glm::vec2) { return 0.0f; }));
+  EXPECT_LT(difference(picture(), flat), 1.0f) << "a small level patch at 0 looks like flat ground everywhere";
+  m_project.terrain = terrainOf(heightsFrom({33, 33}, {8, 8}, [](glm::vec2) { return 2.0f; }));
+  m_input.camera.position.y += 2.0f;
+  m_input.camera.target.y += 2.0f;
+  EXPECT_LT(difference(picture(), flat), 4.0f) << "and one raised with the camera as well";
+}
+
+TEST_F(Ground, GrassStandsOnIt) {
+  const auto slope = heightsFrom({65, 65}, {60, 60}, [](glm::vec2 p) { return 3.0f + 2.5f * std::sin(0.2f * p.x) * std::cos(0.17f * p.y); });
+  m_project.terrain = terrainOf(slope);
+  setDensity(40.0f);
+  (void)picture();
+  // The placing pass left its buffers bound: read what it made.
+  GLint name = 0;
+  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, RENDER_SSBO_COMMANDS, &name);
+  ASSERT_NE(name, 0);
+  shared::GrassCommands commands{};
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  glGetNamedBufferSubData(static_cast<GLuint>(name), 0, sizeof commands, &commands);
+  GLint bladesName = 0;
+  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, RENDER_SSBO_BLADES, &bladesName);
+  const unsigned count = commands.draws[1];  // of the first level, at the list's start
+  ASSERT_GT(count, 100u);
+  std::vector<shared::GrassBlade> blades(count);
+  glGetNamedBufferSubData(static_cast<GLuint>(bladesName), 0, static_cast<GLsizeiptr>(count * sizeof(shared::GrassBlade)), blades.data());
+  float lowest = 100, highest = -100;
+  for (const shared::GrassBlade& blade : blades) {
+    const float part = static_cast<float>(blade.facing >> 16) / 65535.0f;
+    const float height = glm::mix(slope->lowest(), slope->highest(), part);
+    EXPECT_NEAR(height, heightAt(*slope, {blade.x, blade.z}), 1e-3f);
+    lowest = std::min(lowest, height);
+    highest = std::max(highest, height);
+  }
+  EXPECT_GT(highest - lowest, 1.0f) << "blades stand high and low";
+}
+
+TEST_F(Ground, SlopesAwayFromTheSunAreDarker) {
+  m_input.camera = testing::above({0, 0}, 20.0f);
+  const auto lean = [&](float sign) {
+    m_project.terrain = terrainOf(heightsFrom({33, 33}, {200, 200}, [&](glm::vec2 p) { return 30.0f + sign * 0.3f * (p.x + p.y) / 1.414f; }));
+    return glm::dot(picture().mean({0, 0}, {320, 180}), glm::vec3(1.0f / 3.0f));
+  };
+  // The sun stands over -x, -z: ground that rises towards +x, +z faces it.
+  EXPECT_GT(lean(1.0f), 1.15f * lean(-1.0f));
+}
+
+}  // namespace windloom
