@@ -181,6 +181,7 @@ void App::passKeys() {
     if (event.kind == InputEvent::Kind::Focus && event.action == 0) {
       m_workspace.focusLost();
       m_viewport.focusLost();
+      m_outliner.cancelDrag();
     }
     if (event.kind != InputEvent::Kind::Key) continue;
     const Key key = translateKey(event.code, event.scancode);
@@ -193,6 +194,8 @@ void App::passKeys() {
       m_afterFields = {key, translateModifiers(event.modifiers), false};
     } else if (key == Key::Escape && popup && !m_dialogs.open())
       ImGui::ClosePopupToLevel(0, false);  // ImGui leaves menus open
+    else if (key == Key::Escape && m_outliner.cancelDrag())
+      continue;
     else if (!busy)
       m_workspace.keyPressed({key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT});
   }
@@ -262,7 +265,7 @@ void App::frame() {
 void App::drawPicture(double seconds) {
   // The first frame shows the window at once; the scene's programs are built behind it.
   if (m_frames > 0) m_live->follow(m_workspace.document);
-  m_live->advance(seconds);
+  m_live->advance(seconds, m_workspace.strokes);
   bool drawn = false;
   if (Session* session = m_live->session()) {
     PanelContext context = panelContext();

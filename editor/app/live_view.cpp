@@ -46,6 +46,14 @@ void LiveView::advance(double seconds) {
   if (m_session) m_session->advance(seconds);
 }
 
+void LiveView::advance(double seconds, BrushStrokes& strokes) {
+  if (!m_session) return;
+  const double before = m_session->time();
+  m_session->setTransientForces(strokes.forces());
+  advance(seconds);
+  strokes.age(m_session->time() - before);
+}
+
 void LiveView::reloadShaders() {
   const gpu::ShaderLibrary::Reload reload = m_shaders->reloadChanged();
   for (const Problem& problem : reload.problems) logError(problem.text());

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "editor/core/brush_strokes.hpp"
 #include "editor/core/document.hpp"
 #include "editor/panels/panel_context.hpp"
 #include "engine/gpu/context.hpp"
@@ -24,6 +25,8 @@ class LiveView {
   void restart();
   /// Runs the wind for `seconds` of real time.
   void advance(double seconds);
+  /// The same with strokes of the wind brush in the air; they grow older with the wind's time.
+  void advance(double seconds, BrushStrokes& strokes);
   /// Builds changed shaders again; problems go to the log and the old ones stay.
   void reloadShaders();
 

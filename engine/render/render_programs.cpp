@@ -12,6 +12,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"terrain/ground quick", {"terrain/ground.vert", "terrain/ground.frag"}},
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
+    {"terrain/solid polygon", {"terrain/solid_polygon.vert", "terrain/solid.frag"}},
     {"field/speed map", {"field/speed_map.vert", "field/speed_map.frag"}},
     {"field/vectors", {"field/vectors.vert", "field/vectors.frag"}},
     {"field/arrow", {"field/arrow.vert", "field/arrow.frag"}},

@@ -18,6 +18,8 @@ using shared::Solid;
 
 /// The obstacles that are drawn: hidden ones are left out.
 std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles);
+/// The corners of the polygons among them, as Solid::more counts them.
+std::vector<glm::vec2> solidCorners(const std::vector<Obstacle>& obstacles);
 
 class SolidPass {
  public:
@@ -35,14 +37,16 @@ class SolidPass {
  private:
   SolidPass() = default;
   Status makeMap(glm::ivec2 size);
+  Status makePolygons(const std::vector<Obstacle>& obstacles);
 
   gpu::Program* m_draw = nullptr;
+  gpu::Program* m_drawPolygons = nullptr;
   gpu::Program* m_drawMap = nullptr;
-  gpu::Buffer m_solids;
+  gpu::Buffer m_solids, m_corners, m_mesh;
   gpu::Texture m_mapTexture;
   gpu::Handle<gpu::FramebufferKind> m_map;
-  gpu::VertexArray m_noVertices;
-  int m_count = 0;
+  gpu::VertexArray m_noVertices, m_meshVertices;
+  int m_count = 0, m_meshCount = 0;
   bool m_mapFresh = false;
 };
 

@@ -56,6 +56,7 @@ class SessionImpl final : public Session {
   void stepOnce() override { step(); }
   void restart() override;
   [[nodiscard]] double time() const override { return m_simulation->time(); }
+  void setTransientForces(std::span<const ArrowForce> forces) override { m_simulation->setTransientForces(forces); }
   void advance(double wallSeconds) override;
   void runTo(double seconds) override;
   void draw(const View& view) override;

@@ -47,6 +47,9 @@ class Session {
   virtual void restart() = 0;
   [[nodiscard]] virtual double time() const = 0;
 
+  /// Forces beside the project's in the steps from now on, until they are set again (the wind brush).
+  virtual void setTransientForces(std::span<const ArrowForce> forces) = 0;
+
   /// While playing, runs the steps that `wallSeconds` of real time call for, but no more than fit in about half
   /// a frame: a slow machine slows time down instead of spiralling.
   virtual void advance(double wallSeconds) = 0;

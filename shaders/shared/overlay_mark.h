@@ -13,7 +13,8 @@ WL_SHARED_BEGIN
 #define MARK_PROBE 2.0f
 
 struct OverlayMark {
-  vec4 place;  // arrow: from x, z, to x, z, m. Point, probe: x, z, unused, MARK_POINT...; outline: as Solid::place
+  vec4 place;  // arrow: from x, z, to x, z, m. Point, probe: x, z, unused, MARK_POINT...; outline: as
+               // Solid::place; one side of a polygon: from x, z, to x, z
   vec4 look;   // arrow: radius m, place in the speed map 0..1, factor of its signal, MARK_NORMAL...
                // point, probe: unused, unused, unused, state; outline: cosine, sine, height, state
   vec4 more;   // arrow: where its area begins (0 along, 1 at its end), 1 where muted, s its signal took so far, unused.

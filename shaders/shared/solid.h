@@ -6,14 +6,16 @@ WL_SHARED_BEGIN
 
 #define SOLID_CIRCLE 0.0f
 #define SOLID_BOX 1.0f
+#define SOLID_POLYGON 2.0f
 
 struct Solid {
   vec4 place;  // centre x, z, half size along its own axes (circle: radius twice), m
   vec4 shape;  // cosine and sine of its rotation, height m, SOLID_*
+  vec4 more;   // polygon: its first corner in the list of corners, how many; unused
 };
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::Solid) == 32, "std430 layout");
+static_assert(sizeof(windloom::shared::Solid) == 48, "std430 layout");
 #endif
 #endif
