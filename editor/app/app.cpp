@@ -11,7 +11,9 @@
 
 #include "editor/app/frame_picture.hpp"
 #include "editor/app/keys.hpp"
+#include "editor/core/help_page.hpp"
 #include "editor/widgets/number_field.hpp"
+#include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 
 namespace windloom::editor {
@@ -35,7 +37,7 @@ bool leavesField(const InputEvent& event, Key key) {
 
 Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
   const auto preferencesFile = userFolder("XDG_CONFIG_HOME", ".config") / "preferences.json";
-  const Preferences preferences = line.screenshot.empty() ? editor::readPreferences(preferencesFile) : Preferences{};
+  const Preferences preferences = line.unattended() ? Preferences{} : editor::readPreferences(preferencesFile);
   WindowOptions options;
   options.width = line.width.value_or(int(preferences.number("window.width", options.width)));
   options.height = line.height.value_or(int(preferences.number("window.height", options.height)));
@@ -85,6 +87,8 @@ void App::connect() {
     logInfo(text);
     m_workspace.say(MessageKind::Info, text);
   };
+  // By the time that the question is answered, the work may have ended.
+  flow.workUnderWay = [this] { return m_export.running() ? std::string("An export") : std::string(); };
   flow.onReplaced = [this, before = flow.onReplaced] {
     if (before) before();
     m_live->restart();
@@ -93,11 +97,11 @@ void App::connect() {
     m_workspace.preferences.usedFile(path);
     writePreferences();
   };
-  if (m_line.screenshot.empty()) m_dialogs.offerRescues(findRescues(m_autosave.sideFile().parent_path()));
+  if (!m_line.unattended()) m_dialogs.offerRescues(findRescues(m_autosave.sideFile().parent_path()));
 }
 
 void App::readPreferences() {
-  if (!m_line.screenshot.empty()) return;
+  if (m_line.unattended()) return;
   std::vector<std::string> warnings;
   m_workspace.preferences = editor::readPreferences(m_preferencesFile, &warnings);
   for (const std::string& warning : warnings) logWarning(warning);
@@ -106,18 +110,20 @@ void App::readPreferences() {
   m_layout.right = float(preferences.number("layout.right", double(m_layout.right)));
   m_layout.bottom = float(preferences.number("layout.bottom", double(m_layout.bottom)));
   m_layout.timeline = float(preferences.number("layout.timeline", double(m_layout.timeline)));
+  m_live->setLiveGrid(preferences.number("play.fullGrid", 0) != 0 ? LiveGrid::Full : LiveGrid::Automatic);
   m_viewport.overlays.arrows = preferences.number("overlay.arrows", 1) != 0;
   m_viewport.overlays.vectors = preferences.number("overlay.vectors", 0) != 0;
   m_viewport.overlays.speed = preferences.number("overlay.speed", 0) != 0;
 }
 
 void App::writePreferences() {
-  if (!m_line.screenshot.empty()) return;
+  if (m_line.unattended()) return;
   auto& numbers = m_workspace.preferences.numbers;
   numbers["layout.left"] = double(m_layout.left);
   numbers["layout.right"] = double(m_layout.right);
   numbers["layout.bottom"] = double(m_layout.bottom);
   numbers["layout.timeline"] = double(m_layout.timeline);
+  numbers["play.fullGrid"] = m_live->liveGrid() == LiveGrid::Full;
   numbers["overlay.arrows"] = m_viewport.overlays.arrows;
   numbers["overlay.vectors"] = m_viewport.overlays.vectors;
   numbers["overlay.speed"] = m_viewport.overlays.speed;
@@ -144,6 +150,7 @@ void App::applyLook() {
 }
 
 int App::run() {
+  if (!m_line.keys.empty()) return writeKeys();
   while (!m_exit) {
     if (m_lookChanged) applyLook();
     m_window->beginFrame(waitSeconds(), typingPending());
@@ -157,6 +164,12 @@ int App::run() {
   m_autosave.finish();
   writePreferences();
   return *m_exit;
+}
+
+int App::writeKeys() const {
+  const Status status = writeFileAtomically(m_line.keys, helpMarkdown(helpPage(m_workspace.actions)));
+  if (!status) logError(status.error().text());
+  return status.ok() ? 0 : 3;
 }
 
 double App::waitSeconds() const {
@@ -233,6 +246,11 @@ void App::tellMap() {
                    : camera.orthographic                     ? "orthographic"
                                                              : "perspective");
   map.fact("scene", m_live->session() ? "yes" : "no");
+  map.fact("playing", m_live->session() && m_live->session()->playing() ? "yes" : "no");
+  map.fact("time", m_live->session() ? std::to_string(m_live->session()->time()) : "");
+  map.fact("help", m_helpOpen ? "yes" : "no");
+  map.fact("palette", m_palette.isOpen() ? "yes" : "no");
+  map.fact("strokes", std::to_string(m_workspace.strokes.size()));
 }
 
 void App::frame() {

@@ -48,6 +48,7 @@ class App {
   void writePreferences();
   void applyLook();
 
+  [[nodiscard]] int writeKeys() const;
   void frame();
   void passKeys();
   void runAfterFields();

@@ -29,7 +29,7 @@ bool parseSize(const std::string& text, CommandLine& line) {
 std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, int& exitStatus) {
   CommandLine line;
   CLI::App app("Draw wind, see grass answer, export it for games.", "windloom-editor");
-  std::string size, file, screenshot, uiMap;
+  std::string size, file, screenshot, keys, uiMap;
   app.add_option("FILE", file, "Project to open (NAME.wind.json)");
   app.add_option("--size", size, "Window size in pixels, e.g. 1280x720")->check([&](const std::string& text) {
     return parseSize(text, line) ? std::string() : "expected WIDTHxHEIGHT, at least 320x240, found '" + text + "'";
@@ -38,6 +38,7 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
   app.add_option("--screenshot", screenshot, "Write the window as PNG after --frames frames, and end");
   app.add_option("--frames", line.frames, "Frames before the screenshot; each is 1/30 s of wind")
       ->check(CLI::Range(1, 100000));
+  app.add_option("--keys", keys, "Write the list of all keys and gestures as Markdown, and end");
   app.add_option("--ui-map", uiMap,
                  "Keep FILE up to date with the names and places of controls (window tests, accessibility)");
   app.set_version_flag("--version", "windloom-editor " WINDLOOM_VERSION);
@@ -49,6 +50,7 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
   }
   line.file = file;
   line.screenshot = screenshot;
+  line.keys = keys;
   line.uiMap = uiMap;
   return line;
 }

@@ -12,7 +12,11 @@ struct CommandLine {
   float scale = 0;                   ///< of the interface, from --scale; 0: preferences
   std::filesystem::path screenshot;  ///< write a picture of the window here after `frames` frames, then end
   int frames = 60;
+  std::filesystem::path keys;   ///< write the list of keys here, then end
   std::filesystem::path uiMap;  ///< keep this file up to date with where things are on the screen
+
+  /// Nobody sits before it: preferences are neither read nor written, no unsaved work is offered.
+  [[nodiscard]] bool unattended() const { return !screenshot.empty() || !keys.empty(); }
 };
 
 /// Nothing where the program is to end at once with `exitStatus`: help, version, wrong usage (2).

@@ -27,8 +27,9 @@ bool beginBox(const char* title, const char* fact) {
   return shown;
 }
 
-/// A row of buttons; the index of the chosen one, -1: none yet. Enter takes the first, Esc the last.
-int buttonRow(std::initializer_list<const char*> labels) {
+/// A row of buttons; the index of the chosen one, -1: none yet. Enter takes the first, Esc the last unless told
+/// otherwise.
+int buttonRow(std::initializer_list<const char*> labels, int onEscape = -1) {
   int chosen = -1, index = 0;
   ImGui::Spacing();
   for (const char* label : labels) {
@@ -41,7 +42,7 @@ int buttonRow(std::initializer_list<const char*> labels) {
     ++index;
   }
   if (pressed(ImGuiKey_Enter) || pressed(ImGuiKey_KeyPadEnter)) chosen = 0;
-  if (pressed(ImGuiKey_Escape)) chosen = index - 1;
+  if (pressed(ImGuiKey_Escape)) chosen = onEscape >= 0 ? onEscape : index - 1;
   if (chosen >= 0) ImGui::CloseCurrentPopup();
   return chosen;
 }
@@ -102,14 +103,28 @@ void Dialogs::drawOverwrite() {
   ImGui::EndPopup();
 }
 
+void Dialogs::drawStopWork() {
+  if (!beginBox("Quit?", "stop work")) return;
+  wrapped(m_workspace.flow.workUnderWay() + " is still running. Quitting stops it; nothing of it is kept.");
+  const int chosen = buttonRow({"Keep running", "Stop and quit"}, 0);
+  if (chosen >= 0) m_workspace.flow.answerStopWork(chosen == 1);
+  ImGui::EndPopup();
+}
+
 void Dialogs::drawRescue() {
   const Rescue& rescue = m_rescues.front();
   if (!beginBox("Unsaved work was found", "rescue")) return;
   wrapped("The editor ended without closing " +
           (rescue.original.empty() ? std::string("a project that was never saved") : rescue.original.string()) +
           ". Its work as of " + rescue.savedAt + " is still there.");
-  if (m_showChanges)
-    for (const std::string& line : m_rescueChanges) ImGui::BulletText("%s", line.c_str());
+  if (m_showChanges) {
+    std::string all;
+    for (const std::string& line : m_rescueChanges) {
+      ImGui::BulletText("%s", line.c_str());
+      all += line + "\n";
+    }
+    look().map.fact("dialog.text", all);
+  }
   bool handled = false;
   switch (buttonRow({"Restore", "Discard", m_showChanges ? "Later" : "Show what changed"})) {
     case 0:
@@ -176,6 +191,8 @@ void Dialogs::draw() {
       return drawSaveChanges();
     case Prompt::ConfirmOverwrite:
       return drawOverwrite();
+    case Prompt::StopWork:
+      return drawStopWork();
     case Prompt::ChooseOpenPath:
     case Prompt::ChooseSavePath:
     case Prompt::None:

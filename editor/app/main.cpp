@@ -10,7 +10,7 @@ int main(int argc, char** argv) {
   auto app = editor::App::create(*line);
   if (!app) {
     logError(app.error().text());
-    if (line->screenshot.empty()) editor::showTrouble(app.error().text());
+    if (!line->unattended()) editor::showTrouble(app.error().text());
     return app.error().kind == ErrorKind::Machine ? 3 : 1;
   }
   return (*app)->run();

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <nlohmann/json.hpp>
 #include <system_error>
@@ -90,67 +91,102 @@ Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(fo
 }
 
 Autosave::~Autosave() {
+  static_cast<void>(wait());
   if (m_lock >= 0) ::close(m_lock);
 }
 
 Status Autosave::tick(const Document& document, double nowSeconds) {
-  if (!m_started || !document.committed().sameAs(m_seen)) {
-    if (m_started) ++m_edits;
-    m_seen = document.committed();
-    m_started = true;
-    if (document.dirty() && !m_firstEditAt) m_firstEditAt = nowSeconds;
+  Status status = Done{};
+  if (m_writing.done.valid()) {
+    if (!document.dirty()) {
+      m_writing.stale = true;
+      m_writtenEdits = document.editCount();
+    }
+    if (m_writing.done.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return status;
+    status = take();
+  }
+  if (!document.dirty() || !m_writtenEdits) {
+    m_writtenEdits = document.editCount();
+    m_firstEditAt.reset();
   }
   if (!document.dirty()) {
-    m_edits = 0;
-    m_firstEditAt.reset();
-    if (m_exists) {
-      std::error_code ignored;
-      fs::remove(m_file, ignored);
-      m_exists = false;
-    }
-    dropRescued(document);
-    return Done{};
+    removeFile();
+    dropRescued(document.rescuedFrom());
+    return status;
   }
+  const std::uint64_t edits = document.editCount() - *m_writtenEdits;
+  if (edits > 0 && !m_firstEditAt) m_firstEditAt = nowSeconds;
   const bool rescuedNow = document.rescuedFrom() != m_seenRescue && !document.rescuedFrom().empty();
   m_seenRescue = document.rescuedFrom();
   const bool late = m_firstEditAt && nowSeconds - *m_firstEditAt >= kAutosaveSeconds;
-  const bool due = rescuedNow || late || m_edits >= kAutosaveEdits;
-  if (!due) return Done{};
-  m_edits = 0;
+  if (!rescuedNow && !late && edits < kAutosaveEdits) return status;
+  m_writtenEdits = document.editCount();
   m_firstEditAt.reset();
-  return write(document);
-}
-
-Status Autosave::write(const Document& document) {
-  if (m_file.empty()) {
-    return makeError(ErrorKind::Machine, m_folder.string(), {}, "can't autosave: no file can be made in this folder");
-  }
-  nlohmann::ordered_json json;
-  json["format"] = kFormat;
-  std::error_code ignored;
-  json["original"] = document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
-  json["savedAt"] = localTime();
-  json["project"] = writeProject(document.committed());
-  const Status status =
-      writeFileAtomically(m_file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
-  m_exists = m_exists || status.ok();
-  if (status) dropRescued(document);
+  begin(document);
   return status;
 }
 
+namespace {
+
+/// The worker: a project is a value, so edits meanwhile don't reach it.
+Status writeSideFile(const fs::path& file, const Project& project, const std::string& original) {
+  nlohmann::ordered_json json;
+  json["format"] = kFormat;
+  json["original"] = original;
+  json["savedAt"] = localTime();
+  json["project"] = writeProject(project);
+  return writeFileAtomically(file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+}
+
+}  // namespace
+
+void Autosave::begin(const Document& document) {
+  m_writing.rescuedFrom = document.rescuedFrom();
+  m_writing.stale = false;
+  if (m_file.empty()) {
+    std::promise<Status> failed;
+    failed.set_value(
+        makeError(ErrorKind::Machine, m_folder.string(), {}, "can't autosave: no file can be made in this folder"));
+    m_writing.done = failed.get_future();
+    return;
+  }
+  std::error_code ignored;
+  const std::string original =
+      document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
+  m_writing.done = std::async(std::launch::async, writeSideFile, m_file, document.committed(), original);
+}
+
+/// What a write that ended has to tell.
+Status Autosave::take() {
+  Status status = m_writing.done.get();
+  m_exists = m_exists || status.ok();
+  if (status) dropRescued(m_writing.rescuedFrom);
+  if (m_writing.stale) removeFile();
+  return status;
+}
+
+Status Autosave::wait() {
+  return m_writing.done.valid() ? take() : Done{};
+}
+
+void Autosave::removeFile() {
+  std::error_code ignored;
+  if (m_exists) fs::remove(m_file, ignored);
+  m_exists = false;
+}
+
 /// The work is in a file of this session now, or in the user's own.
-void Autosave::dropRescued(const Document& document) {
-  const fs::path rescued = document.rescuedFrom();
+void Autosave::dropRescued(const fs::path& rescued) {
   if (!rescued.empty() && rescued != m_dropped) discardRescue({rescued, {}, {}});
   m_dropped = rescued;
 }
 
 void Autosave::finish() {
+  static_cast<void>(wait());
   std::error_code ignored;
   if (m_file.empty()) return;
-  fs::remove(m_file, ignored);
+  removeFile();
   fs::remove(m_lockFile, ignored);
-  m_exists = false;
 }
 
 std::vector<Rescue> findRescues(const fs::path& folder) {

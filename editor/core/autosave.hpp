@@ -1,7 +1,9 @@
 #pragma once
 // Autosave to a side file, never over the user's file, and what to do with it after a crash.
 
+#include <cstdint>
 #include <filesystem>
+#include <future>
 #include <optional>
 #include <string>
 #include <vector>
@@ -11,11 +13,12 @@
 
 namespace windloom::editor {
 
-inline constexpr int kAutosaveEdits = 25;
-inline constexpr double kAutosaveSeconds = 120;
+// A crash may cost at most 25 edits or 2 minutes: begun a little earlier, a write has its own time in that, too.
+inline constexpr std::uint64_t kAutosaveEdits = 20;
+inline constexpr double kAutosaveSeconds = 110;
 
-/// Writes side files into a folder of the app's choice, one for each running editor. A lock file beside it, held
-/// while this lives, tells other editors that its owner runs.
+/// Writes side files into a folder of the app's choice, one for each running editor, on a thread of its own: a slow
+/// disk doesn't hold up a frame. A lock file beside it, held while this lives, tells other editors that its owner runs.
 class Autosave {
  public:
   /// `session` makes the file name unique (a process id); a name that is taken gets a number.
@@ -24,25 +27,34 @@ class Autosave {
   Autosave(const Autosave&) = delete;
   Autosave& operator=(const Autosave&) = delete;
 
-  /// Call once a frame with a steadily growing time. Writes the side file when 25 edits were made since the
-  /// last write, or 2 minutes passed since the first edit after it; removes it once the document is clean.
-  /// A rescued project is written at once; the side file that it came from then goes, and so it does on a save.
-  /// A failure (disk full) is told once; it is tried again after as many edits or as much time.
+  /// Call once a frame with a steadily growing time. Begins to write the side file when kAutosaveEdits edits were
+  /// made since the last write, or kAutosaveSeconds passed since the first edit after it; removes it once the
+  /// document is clean. A rescued project is written at once; the side file that it came from goes when that is
+  /// done, and so it does on a save. A write that failed (disk full) is told by the next tick, once; it is tried
+  /// again after as many edits or as much time.
   Status tick(const Document& document, double nowSeconds);
+  /// Waits for a write that is under way.
+  Status wait();
   /// The editor closes in order: the side file goes.
   void finish();
   [[nodiscard]] const std::filesystem::path& sideFile() const { return m_file; }
 
  private:
-  Status write(const Document& document);
-  void dropRescued(const Document& document);
+  struct Writing {
+    std::future<Status> done;
+    std::filesystem::path rescuedFrom;  // of the project that is written
+    bool stale = false;                 // the user's own file became newer meanwhile
+  };
+  void begin(const Document& document);
+  Status take();
+  void removeFile();
+  void dropRescued(const std::filesystem::path& rescued);
 
   std::filesystem::path m_folder, m_file, m_lockFile;
   int m_lock = -1;
-  Project m_seen;
+  Writing m_writing;
   std::filesystem::path m_seenRescue, m_dropped;  // rescued side files: met, and removed
-  bool m_started = false;
-  int m_edits = 0;
+  std::optional<std::uint64_t> m_writtenEdits;    // the document's count when it was last clean or written
   std::optional<double> m_firstEditAt;
   bool m_exists = false;
 };

@@ -315,6 +315,24 @@ void addViewActions(Workspace& workspace) {
   addCameraActions(workspace);
 }
 
+/// The kind is the project's: a key switches it as an edit.
+void addGrassActions(Workspace& workspace) {
+  Adder view(workspace, "View");
+  const auto kind = [&](const char* id, const char* label, const char* help, const char* key, GrassKind wanted) {
+    view.always(
+        id, label, help, {key},
+        [wanted, label](Workspace& w) {
+          GrassSettings grass = *w.document.committed().grass;
+          if (grass.kind == wanted) return;
+          grass.kind = wanted;
+          w.apply(Edit{label, {Set<GrassSettings>{grass}}, {}});
+        },
+        [wanted](Workspace& w) { return w.document.project().grass->kind == wanted; });
+  };
+  kind("grass.instanced", "Instanced grass", "Grass of single blades, each drawn", "1", GrassKind::Instanced);
+  kind("grass.none", "No grass", "Bare ground, to see the wind alone", "4", GrassKind::None);
+}
+
 }  // namespace
 
 void registerCoreActions(Workspace& workspace) {
@@ -326,6 +344,7 @@ void registerCoreActions(Workspace& workspace) {
   addFlagActions(workspace);
   addToolActions(workspace);
   addViewActions(workspace);
+  addGrassActions(workspace);
 }
 
 }  // namespace windloom::editor

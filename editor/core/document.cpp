@@ -14,7 +14,7 @@ Status Document::apply(const Edit& edit) {
   if (!result) return result.error();
   if (result->sameAs(committed())) return Done{};
   m_history.push(std::move(*result), edit.label, edit.mergeKey);
-  touched();
+  committedChanged();
   return Done{};
 }
 
@@ -42,21 +42,21 @@ bool Document::endPreview() {
 bool Document::undo() {
   endPreview();
   if (!m_history.undo()) return false;
-  touched();
+  committedChanged();
   return true;
 }
 
 bool Document::redo() {
   endPreview();
   if (!m_history.redo()) return false;
-  touched();
+  committedChanged();
   return true;
 }
 
 bool Document::jump(std::size_t entry) {
   endPreview();
   if (entry == m_history.position() || !m_history.jump(entry)) return false;
-  touched();
+  committedChanged();
   return true;
 }
 
@@ -78,7 +78,7 @@ void Document::startNew(Project start) {
   m_history = History(std::move(start));
   m_path.clear();
   m_rescuedFrom.clear();
-  touched();
+  committedChanged();
 }
 
 Status Document::open(const std::filesystem::path& path) {
@@ -89,7 +89,7 @@ Status Document::open(const std::filesystem::path& path) {
   m_history = History(std::move(loaded->project));
   m_path = path;
   m_rescuedFrom.clear();
-  touched();
+  committedChanged();
   return Done{};
 }
 
@@ -113,7 +113,7 @@ void Document::recover(Project project, std::filesystem::path path, std::filesys
   m_history.markUnsaved();
   m_path = std::move(path);
   m_rescuedFrom = std::move(sideFile);
-  touched();
+  committedChanged();
 }
 
 }  // namespace windloom::editor

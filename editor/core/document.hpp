@@ -21,6 +21,8 @@ class Document {
   [[nodiscard]] const Project& committed() const { return m_history.current(); }
   /// Grows with every change of project(), so that a panel can tell cheaply.
   [[nodiscard]] std::uint64_t revision() const { return m_revision; }
+  /// Grows with every change of committed(): edits, those that merge into a step as well, undo and redo.
+  [[nodiscard]] std::uint64_t editCount() const { return m_edits; }
 
   /// Applies an edit of the committed project as one undo step (merge keys as in History) and ends a
   /// preview. An edit without steps, or one that changes nothing, is done and leaves no step. A refused
@@ -63,11 +65,15 @@ class Document {
 
  private:
   void touched() { ++m_revision; }
+  void committedChanged() {
+    ++m_edits;
+    touched();
+  }
   History m_history;
   Project m_preview;
   bool m_previewing = false;
   std::filesystem::path m_path, m_rescuedFrom;
-  std::uint64_t m_revision = 1;
+  std::uint64_t m_revision = 1, m_edits = 0;
 };
 
 }  // namespace windloom::editor

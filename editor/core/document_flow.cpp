@@ -51,6 +51,14 @@ void DocumentFlow::requestQuit() {
 
 void DocumentFlow::begin(Then then) {
   m_then = then;
+  if (then == Then::Quit && workUnderWay && !workUnderWay().empty()) {
+    m_prompt = Prompt::StopWork;
+  } else {
+    askToSave();
+  }
+}
+
+void DocumentFlow::askToSave() {
   m_prompt = Prompt::None;
   if (m_document.dirty()) {
     m_prompt = Prompt::SaveChanges;
@@ -122,6 +130,15 @@ void DocumentFlow::answerOverwrite(bool overwrite) {
     saveTo(m_path);
   } else {
     m_prompt = Prompt::ChooseSavePath;
+  }
+}
+
+void DocumentFlow::answerStopWork(bool stop) {
+  if (m_prompt != Prompt::StopWork) return;
+  if (stop) {
+    askToSave();
+  } else {
+    cancel();
   }
 }
 

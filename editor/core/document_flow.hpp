@@ -17,6 +17,7 @@ enum class Prompt {
   ChooseOpenPath,    ///< a file to open: answerPath
   ChooseSavePath,    ///< where to save: answerPath
   ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
+  StopWork,          ///< quitting would stop workUnderWay(): answerStopWork
 };
 enum class SaveAnswer { Save, DontSave, Cancel };
 
@@ -38,11 +39,14 @@ class DocumentFlow {
   /// Adds ".wind.json" to a save path that doesn't end in ".json".
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
+  void answerStopWork(bool stop);        ///< false: nothing happens
   void cancel();                         ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
   [[nodiscard]] bool quitConfirmed() const { return m_quit; }
 
+  /// What runs beside the window and would be lost by quitting, such as "An export"; empty: nothing does.
+  std::function<std::string()> workUnderWay;
   /// Called after each finished operation: an Error to show, or a line such as "Saved meadow.wind.json".
   std::function<void(const Error&)> onFailure;
   std::function<void(const std::string&)> onDone;
@@ -54,6 +58,7 @@ class DocumentFlow {
  private:
   enum class Then { Nothing, New, Open, Quit };
   void begin(Then then);
+  void askToSave();
   void proceed();
   void fail(const Error& error);
   void saveTo(const std::filesystem::path& path);

@@ -26,6 +26,7 @@ bool isRelevant(const SolverSettings& solver, std::string_view key) {
 }
 
 bool isRelevant(const GrassSettings& grass, std::string_view key) {
+  if (grass.kind == GrassKind::None) return key == "kind";
   return key != "restBlend" || grass.deformation == Deformation::Quadratic;
 }
 

@@ -109,7 +109,7 @@ class Workspace {
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.brush tool.probe tool.delete
 /// tool.cancel;
 /// view.frame view.frame_all view.top view.front view.side view.orthographic view.camera_next view.camera_store;
-/// snap.grid snap.angle snap.points.
+/// grass.instanced grass.none; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

@@ -37,6 +37,18 @@ std::string sizeText(glm::ivec2 size) {
   return std::to_string(size.x) + " x " + std::to_string(size.y);
 }
 
+/// As many whole words as fit, with dots where some are left out.
+std::string fitted(const std::string& text, float width) {
+  if (ImGui::CalcTextSize(text.c_str()).x <= width) return text;
+  std::string kept = text;
+  for (std::size_t space; (space = kept.find_last_of(' ')) != std::string::npos;) {
+    kept.resize(space);
+    while (!kept.empty() && (kept.back() == ',' || kept.back() == ';')) kept.pop_back();
+    if (ImGui::CalcTextSize((kept + " ...").c_str()).x <= width) break;
+  }
+  return kept + " ...";
+}
+
 struct Item {
   std::string name, text, help;
 };
@@ -115,11 +127,11 @@ void StatusBar::draw(PanelContext& context) {
     const ImVec4& colour = kind == MessageKind::Error     ? palette.error
                            : kind == MessageKind::Warning ? palette.warning
                                                           : palette.text;
-    ImGui::TextColored(colour, "%s", workspace.message().text.c_str());
+    ImGui::TextColored(colour, "%s", fitted(workspace.message().text, left).c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", workspace.message().text.c_str());
   } else {
     const std::string hint = workspace.tools.hint(workspace.context());
-    ImGui::TextDisabled("%s", hint.c_str());
+    ImGui::TextDisabled("%s", fitted(hint, left).c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", hint.c_str());
   }
   ImGui::PopClipRect();

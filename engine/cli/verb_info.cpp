@@ -28,7 +28,7 @@ Sizes sizesOf(const Project& project, double fps) {
   const std::int64_t cells = std::int64_t{project.field->resolution.x} * project.field->resolution.y;
   const double area = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
   const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
-  return {cells, static_cast<std::int64_t>(area * static_cast<double>(project.grass->density)), cells * kFieldBytes,
+  return {cells, static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass))), cells * kFieldBytes,
           perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
 }
 

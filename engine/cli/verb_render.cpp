@@ -89,11 +89,10 @@ Result<Project> projectOf(const Options& options) {
     field.resolution = *cells;
     project->field = std::make_shared<FieldSettings>(field);
   }
-  if (options.density) {
-    GrassSettings grass = *project->grass;
-    grass.density = static_cast<float>(*options.density);
-    project->grass = std::make_shared<GrassSettings>(grass);
-  }
+  GrassSettings grass = *project->grass;
+  if (options.density) grass.density = static_cast<float>(*options.density);
+  if (!options.grass.empty()) grass.kind = options.grass == "none" ? GrassKind::None : GrassKind::Instanced;
+  project->grass = std::make_shared<GrassSettings>(grass);
   return project;
 }
 
@@ -176,8 +175,8 @@ void report(const Options& options, const Studio& studio, const std::vector<std:
 }
 
 int render(const Options& options) {
-  if (!options.grass.empty() && options.grass != "instanced") {
-    return reportError(usage("--grass: found '" + options.grass + "', expected instanced"), options);
+  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "none") {
+    return reportError(usage("--grass: found '" + options.grass + "', expected instanced or none"), options);
   }
   const auto size = parsePair(options.size, kMaxSide);
   if (!size)
@@ -236,7 +235,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass: instanced")->type_name("KIND");
+  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, none")->type_name("KIND");
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
       ->check(CLI::Range(0.0, 5000.0));

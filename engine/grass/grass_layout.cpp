@@ -32,14 +32,15 @@ float smoothStep(float low, float high, float x) {
 GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& grass) {
   GrassLayout layout;
   const double area = static_cast<double>(field.size.x) * static_cast<double>(field.size.y);
-  layout.bladesTotal = std::llround(static_cast<double>(grass.density) * area);
-  if (grass.density <= 0.0f) return layout;
+  const float density = shownDensity(grass);
+  layout.bladesTotal = std::llround(static_cast<double>(density) * area);
+  if (density <= 0.0f) return layout;
   const glm::vec2 covered = field.size + 2.0f * kMeadowMarginM;
-  const float wanted = std::clamp(std::sqrt(kBladesPerTile / grass.density), kMinTileM, kMaxTileM);
+  const float wanted = std::clamp(std::sqrt(kBladesPerTile / density), kMinTileM, kMaxTileM);
   layout.tileSideM = std::max(wanted, std::max(covered.x, covered.y) / static_cast<float>(kMaxTilesPerSide));
   layout.tiles = glm::max(glm::ivec2(glm::ceil(covered / layout.tileSideM)), glm::ivec2(1));
   layout.origin = field.centre - 0.5f * layout.tileSideM * glm::vec2(layout.tiles);
-  layout.bladesInTile = grass.density * layout.tileSideM * layout.tileSideM;
+  layout.bladesInTile = density * layout.tileSideM * layout.tileSideM;
   const auto tileCount = static_cast<std::uint32_t>(layout.tiles.x) * static_cast<std::uint32_t>(layout.tiles.y);
   const auto mostInTile = static_cast<std::uint32_t>(std::floor(layout.bladesInTile)) + 1u;
   layout.chunkLimit = tileCount * ((mostInTile + GRASS_CHUNK - 1u) / GRASS_CHUNK);
@@ -54,21 +55,22 @@ GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout,
   const float quality = std::clamp(detail, 0.02f, 1.0f);
   const float tallest = std::max(grass.height * (1.0f + grass.heightVariation), 0.01f);
   const float arc = grass.deformation == Deformation::Arc ? GRASS_DEFORMATION_ARC : GRASS_DEFORMATION_QUADRATIC;
+  const float density = shownDensity(grass);
   // Part of the ground that upright blades hide from a ray at 45 degrees.
-  const float closed = 1.0f - std::exp(-1.3f * grass.density * grass.width * grass.height);
+  const float closed = 1.0f - std::exp(-1.3f * density * grass.width * grass.height);
   GrassBlock block{};
   block.baseColour = {grass.baseColour, grass.height};
   block.tipColour = {grass.tipColour, grass.heightVariation};
   block.dryColour = {grass.dryColour, grass.dryness};
   block.size = {grass.width, tallest, grass.clumping, arc};
   block.motion = {grass.windFactor / std::max(grass.stiffness, 1e-3f), grass.stiffnessVariation, grass.flutter, grass.restBlend};
-  block.droop = {grass.droopDown, grass.droopForward, grass.density, static_cast<float>(grass.seed & 0xffffff)};
+  block.droop = {grass.droopDown, grass.droopForward, density, static_cast<float>(grass.seed & 0xffffff)};
   block.shadow = {grass.shadowMin, grass.shadowMax, grass.shadowWind, grass.shadowOffset};
   block.tiles = {static_cast<float>(layout.tiles.x), static_cast<float>(layout.tiles.y), layout.tileSideM, layout.bladesInTile};
   block.tileOrigin = {layout.origin, kMeadowMarginM, 0.0f};
   block.cover = {kLeastPixels / quality, kMostWidening, quality, kFadePixels / std::sqrt(quality)};
   const float coarser = 1.0f / std::sqrt(quality);
-  block.levels = {70.0f * coarser, 20.0f * coarser, closed, grass.density * grass.width * grass.height};
+  block.levels = {70.0f * coarser, 20.0f * coarser, closed, density * grass.width * grass.height};
   block.capacity = {glm::vec3(layout.capacity), 0.0f};
   return block;
 }

@@ -15,7 +15,7 @@ constexpr std::array<Names, 2> kWheres{"along", "end"};
 constexpr std::array<Names, 4> kSignalKinds{"constant", "pulse", "gusts", "curve"};
 constexpr std::array<Names, 3> kObstacleShapes{"circle", "box", "polygon"};
 constexpr std::array<Names, 1> kTerrainKinds{"flat"};
-constexpr std::array<Names, 1> kGrassKinds{"instanced"};
+constexpr std::array<Names, 2> kGrassKinds{"instanced", "none"};
 constexpr std::array<Names, 2> kDeformations{"arc", "quadratic"};
 
 // Within a thousand kilometres of the origin a float still resolves 6 cm.
@@ -186,7 +186,7 @@ template <>
 std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>() {
   using G = GrassSettings;
   static constexpr std::array kTable{
-      choice<&G::kind>("kind", "Kind", kGrassKinds, "How the grass is made and drawn."),
+      choice<&G::kind>("kind", "Kind", kGrassKinds, "How the grass is made and drawn; none leaves the ground bare."),
       real<&G::density>("density", "Density", "1/m^2", 0, 20000, 10, "Blades per square metre."),
       integer<&G::seed>("seed", "Seed", "", 0, kMaxSeed, 1, "Another number gives another meadow."),
       real<&G::height>("height", "Height", "m", 0.01, 10, 0.01, "Mean height of a blade."),

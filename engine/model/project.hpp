@@ -110,7 +110,10 @@ struct TerrainSettings {
   std::string extra;
 };
 
-enum class GrassKind { Instanced };
+enum class GrassKind {
+  Instanced,
+  None,  ///< bare ground, to see the wind alone
+};
 enum class Deformation {
   Arc,        ///< keeps the blade's length, never lies down (reference/cwd-sim section 3, `arc`)
   Quadratic,  ///< CWD-Sim eq. 11-13 as printed, with the axis fix
@@ -142,6 +145,11 @@ struct GrassSettings {
   float shadowOffset = 0.45f;                    ///< c2 of eq. 14
   std::string extra;
 };
+
+/// Blades per m^2 that are drawn: the density, or 0 where there is no grass.
+inline float shownDensity(const GrassSettings& grass) {
+  return grass.kind == GrassKind::None ? 0.0f : grass.density;
+}
 
 template <class T>
 using Shared = std::shared_ptr<const T>;

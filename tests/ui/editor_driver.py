@@ -33,14 +33,14 @@ def display(size="1280x800"):
 
 
 class Editor:
-    def __init__(self, program, environment, folder, arguments):
+    def __init__(self, program, environment, folder, arguments, size):
         self.folder = pathlib.Path(folder)
         self.map_file = self.folder / "ui-map.txt"
         self.log_file = self.folder / "editor.log"
         self.environment = dict(environment, HOME=str(self.folder), XDG_CONFIG_HOME=str(self.folder / "config"),
                                 XDG_STATE_HOME=str(self.folder / "state"))
         with open(self.log_file, "wb") as log:
-            self.process = subprocess.Popen([program, "--size", "1280x800", "--ui-map", str(self.map_file), *arguments],
+            self.process = subprocess.Popen([program, "--size", size, "--ui-map", str(self.map_file), *arguments],
                                             env=self.environment, stdout=log, stderr=log)
         self.window = None
         self.origin = (0, 0)
@@ -157,6 +157,10 @@ class Editor:
     def type(self, text):
         self.xdotool("type", "--", text)
 
+    def picture(self, file):
+        """The window as it is on the screen, as PNG."""
+        subprocess.run(["import", "-window", self.window, str(file)], env=self.environment, check=True)
+
     def choose_path(self, path):
         """Types a path into the open file dialog and accepts it."""
         self.wait_fact("typing", "yes")  # its name field takes the keyboard by itself
@@ -177,8 +181,8 @@ class Editor:
 
 
 @contextlib.contextmanager
-def editor(program, environment, folder, *arguments):
-    running = Editor(program, environment, folder, arguments)
+def editor(program, environment, folder, *arguments, size="1280x800"):
+    running = Editor(program, environment, folder, arguments, size)
     try:
         yield running
     finally:

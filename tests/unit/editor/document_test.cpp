@@ -163,6 +163,30 @@ TEST(DocumentFlow, QuitAsksAndCancelStays) {
   EXPECT_TRUE(f.flow.quitConfirmed());
 }
 
+TEST(DocumentFlow, QuittingDuringWorkAsksBeforeItStopsTheWork) {
+  Flow f;
+  std::string work = "An export";
+  f.flow.workUnderWay = [&] { return work; };
+  f.edit();
+  f.flow.requestQuit();
+  EXPECT_EQ(f.flow.prompt(), Prompt::StopWork);
+  f.flow.answerStopWork(false);
+  EXPECT_EQ(f.flow.prompt(), Prompt::None);
+  EXPECT_FALSE(f.flow.quitConfirmed());
+  f.flow.requestQuit();
+  f.flow.answerStopWork(true);
+  EXPECT_EQ(f.flow.prompt(), Prompt::SaveChanges);
+  f.flow.answerSaveChanges(SaveAnswer::DontSave);
+  EXPECT_TRUE(f.flow.quitConfirmed());
+}
+
+TEST(DocumentFlow, OpeningAnotherProjectLeavesWorkRunning) {
+  Flow f;
+  f.flow.workUnderWay = [] { return std::string("An export"); };
+  f.flow.requestNew();
+  EXPECT_EQ(f.flow.prompt(), Prompt::None);
+}
+
 TEST(DocumentFlow, SaveOnQuitAsksForAPathAndThenQuits) {
   TempFolder folder;
   Flow f;
