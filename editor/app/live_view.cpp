@@ -48,10 +48,11 @@ void LiveView::advance(double seconds) {
 
 void LiveView::advance(double seconds, BrushStrokes& strokes) {
   if (!m_session) return;
-  const double before = m_session->time();
+  // Steps since the last frame count, too.
+  strokes.age(m_session->time() - m_strokesTime);
   m_session->setTransientForces(strokes.forces());
+  m_strokesTime = m_session->time();
   advance(seconds);
-  strokes.age(m_session->time() - before);
 }
 
 void LiveView::reloadShaders() {

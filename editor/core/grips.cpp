@@ -34,19 +34,19 @@ void addGizmo(const ToolContext& context, SelectKind tool, std::vector<Grip>& gr
   if (!pivot) return;
   const float arm = metresFor(context, *pivot, kGizmoPx);
   if (tool == SelectKind::Rotate) {
-    grips.push_back({GripKind::Ring, 0, 0, *pivot});
+    grips.push_back({GripKind::Ring, 0, 0, *pivot, *pivot});
     return;
   }
-  grips.push_back({GripKind::Centre, 0, 0, *pivot});
-  grips.push_back({GripKind::AxisX, 0, 0, *pivot + glm::vec2(arm, 0.0f)});
-  grips.push_back({GripKind::AxisZ, 0, 0, *pivot + glm::vec2(0.0f, arm)});
+  grips.push_back({GripKind::Centre, 0, 0, *pivot, *pivot});
+  grips.push_back({GripKind::AxisX, 0, 0, *pivot + glm::vec2(arm, 0.0f), *pivot});
+  grips.push_back({GripKind::AxisZ, 0, 0, *pivot + glm::vec2(0.0f, arm), *pivot});
 }
 
 void addOutline(const ToolContext& context, std::vector<Grip>& grips) {
   const Obstacle* o = findObstacle(context.document.project(), context.selection.active());
   if (!o || o->hidden || o->locked) return;
   const auto add = [&](GripKind kind, int index, glm::vec2 own) {
-    grips.push_back({kind, o->id, index, toWorld(*o, own)});
+    grips.push_back({kind, o->id, index, toWorld(*o, own), o->centre});
   };
   const float beyond = metresFor(context, o->centre, 28.0f);
   switch (o->shape) {
@@ -68,7 +68,7 @@ void addOutline(const ToolContext& context, std::vector<Grip>& grips) {
 }
 
 /// Pixels from the pointer; infinite behind the camera.
-float distanceTo(const ToolContext& context, const Grip& grip, glm::vec2 pivot, glm::vec2 pixel) {
+float distanceTo(const ToolContext& context, const Grip& grip, glm::vec2 pixel) {
   constexpr float kFar = std::numeric_limits<float>::infinity();
   const auto at = context.view.groundToScreen(grip.place, context.ground);
   if (!at) return kFar;
@@ -86,7 +86,7 @@ float distanceTo(const ToolContext& context, const Grip& grip, glm::vec2 pivot, 
     return best;
   }
   if (grip.kind != GripKind::AxisX && grip.kind != GripKind::AxisZ) return glm::distance(pixel, *at);
-  const auto middle = context.view.groundToScreen(pivot, context.ground);
+  const auto middle = context.view.groundToScreen(grip.pivot, context.ground);
   const float length = middle ? glm::distance(*middle, *at) : 0.0f;
   if (length < 1.0f) return kFar;
   const glm::vec2 start = *middle + (*at - *middle) * std::min(1.0f, kCentreGapPx * scaleOf(context) / length);
@@ -119,10 +119,10 @@ const char* nameOf(GripKind kind) {
   return "";
 }
 
-PreviewShapes::Grip shapeOf(const ToolContext& context, SelectKind tool, const Grip& grip, glm::vec2 pivot) {
+PreviewShapes::Grip shapeOf(const ToolContext& context, SelectKind tool, const Grip& grip) {
   PreviewShapes::Grip shape;
   shape.at = context.ground.lift(grip.place);
-  shape.from = context.ground.lift(pivot);
+  shape.from = context.ground.lift(grip.pivot);
   const bool arm = grip.kind == GripKind::AxisX || grip.kind == GripKind::AxisZ;
   shape.form = arm && tool == SelectKind::Move                                ? PreviewShapes::GripForm::Tip
                : grip.kind == GripKind::Turn || grip.kind == GripKind::Corner ? PreviewShapes::GripForm::Round
@@ -149,9 +149,8 @@ std::vector<Grip> gripsOf(const ToolContext& context, SelectKind tool) {
 std::optional<Grip> gripAt(const ToolContext& context, SelectKind tool, glm::vec2 pixel) {
   std::optional<Grip> best;
   float nearest = context.settings.hitRadiusPx;
-  const glm::vec2 pivot = pivotOf(context.document.project(), context.selection.ids()).value_or(glm::vec2(0.0f));
   for (const Grip& grip : gripsOf(context, tool)) {
-    const float distance = distanceTo(context, grip, pivot, pixel);
+    const float distance = distanceTo(context, grip, pixel);
     // What comes later in the list is drawn on top.
     if (distance > nearest) continue;
     nearest = distance;
@@ -166,10 +165,9 @@ std::optional<Grip> gripAt(const ToolContext& context, SelectKind tool, glm::vec
 }
 
 void addGripShapes(const ToolContext& context, SelectKind tool, const std::optional<Grip>& hot, PreviewShapes& shapes) {
-  const glm::vec2 pivot = pivotOf(context.document.project(), context.selection.ids()).value_or(glm::vec2(0.0f));
   for (const Grip& grip : gripsOf(context, tool)) {
     const bool isHot = hot && *hot == grip;
-    PreviewShapes::Grip shape = shapeOf(context, tool, grip, pivot);
+    PreviewShapes::Grip shape = shapeOf(context, tool, grip);
     shape.hot = isHot;
     if (grip.kind == GripKind::Ring) {
       const float radius = metresFor(context, grip.place, kGizmoPx);
@@ -179,8 +177,7 @@ void addGripShapes(const ToolContext& context, SelectKind tool, const std::optio
     } else if (grip.kind == GripKind::AxisX || grip.kind == GripKind::AxisZ) {
       shapes.lines.push_back({shape.from, shape.at, isHot ? ShapeRole::Snap : shape.role, true});
     } else if (grip.kind == GripKind::Turn) {
-      const Obstacle* o = findObstacle(context.document.project(), grip.obstacle);
-      if (o) shapes.lines.push_back({context.ground.lift(o->centre), shape.at, ShapeRole::Guide});
+      shapes.lines.push_back({shape.from, shape.at, ShapeRole::Guide});
     }
     shapes.grips.push_back(std::move(shape));
   }

@@ -33,6 +33,7 @@ struct Grip {
   Id obstacle = 0;  ///< 0: gizmo
   int index = 0;
   glm::vec2 place{0.0f};  ///< on the ground
+  glm::vec2 pivot{0.0f};  ///< middle of the selection, or of the obstacle
   bool operator==(const Grip& other) const {
     return kind == other.kind && obstacle == other.obstacle && index == other.index;
   }

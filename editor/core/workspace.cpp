@@ -11,6 +11,7 @@ Workspace::Workspace() {
   flow.onReplaced = [this] {
     selection.clear();
     strokes.clear();
+    m_lookedThrough = 0;
     tools.clearHover();
     if (const Camera* opening = openingCamera(document.project())) {
       lookAs(opening->id);
