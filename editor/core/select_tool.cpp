@@ -173,10 +173,12 @@ std::unique_ptr<Drag> SelectTool::beginDrag(ToolContext& context, const PointerE
     if (grabsAnywhere) return transform(context, press, nullptr);
     return std::make_unique<BoxDrag>(context, press);
   }
-  // Of several things at one place the selected one is meant, but no handle hides behind a line or an outline.
+  // Of several things at one place the selected one is meant, but with the select tool no handle hides behind a line
+  // or an outline.
   const auto isHandle = [](const Hit& hit) { return hit.kind == ObjectKind::Point || hit.kind == ObjectKind::Probe; };
   const auto selected = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) {
-    return context.selection.contains(hit.id) && (isHandle(hit) || !isHandle(hits.front()));
+    return context.selection.contains(hit.id) &&
+           (m_kind != SelectKind::Select || isHandle(hit) || !isHandle(hits.front()));
   });
   const Hit grabbed = selected != hits.end() ? *selected : hits.front();
   if (selected == hits.end()) {

@@ -175,9 +175,10 @@ void Outliner::drawName(PanelContext& context, const Row& row, float width) {
   const bool selected = context.workspace.selection.contains(row.id);
   const bool dimmed = row.hidden || row.muted;
   ImGui::PushStyleColor(ImGuiCol_Text, dimmed ? look().palette.muted : look().palette.text);
-  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick, {width, 0}) && !m_drag)
+  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick, {width, 0}) && !m_drag &&
+      !m_dragOver)
     click(context, row);
-  if (!m_drag && ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, scaled(5)))
+  if (!m_drag && !m_dragOver && ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, scaled(5)))
     beginDrag(context, row);
   ImGui::PopStyleColor();
   markItem("outliner/" + std::to_string(row.id));
@@ -264,7 +265,9 @@ bool Outliner::rename(const Project& project, Id id) {
 }
 
 bool Outliner::cancelDrag() {
-  return std::exchange(m_drag, std::nullopt).has_value();
+  m_dragOver = m_drag.has_value();
+  m_drag.reset();
+  return m_dragOver;
 }
 
 /// With a selected row go the selected ones of its group.
@@ -333,6 +336,8 @@ void Outliner::draw(PanelContext& context) {
   clipper.Begin(int(m_rows.size()));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) drawRow(context, m_rows[std::size_t(i)]);
+  // The button is still held after a cancel: that is no new drag.
+  m_dragOver = m_dragOver && ImGui::GetIO().MouseDown[0];
   if (m_drag) followDrag(context, top, clipper.ItemsHeight);
   if (m_rows.size() <= 1) ImGui::TextDisabled("None yet: press D and draw one.");
   ImGui::EndChild();

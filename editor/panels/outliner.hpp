@@ -53,6 +53,7 @@ class Outliner {
     std::vector<Id> ids;
   };
   std::optional<RowDrag> m_drag;
+  bool m_dragOver = false;  // cancelled, with the button still held
   std::vector<Row> m_rows;
   std::set<Id> m_closed;  // trees shown without their arrows
   Shared<WindGraph> m_graph;

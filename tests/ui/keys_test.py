@@ -99,6 +99,8 @@ def edits(rows, view):
                                              app.key("ctrl+v")), says("steps", "2"))
     rows.row("Ctrl+Z undoes", "ctrl+z", says("steps", "1"))
     rows.row("Ctrl+Y redoes", "ctrl+y", says("steps", "2"))
+    rows.row("a click selects the copy", lambda: app.click(view.pixel((-20, 12))),
+             lambda: app.fact("selection").startswith("Point"))
     rows.row("Del deletes", "Delete", says("steps", "3"))
     rows.row("a drag moves", lambda: app.drag(view.pixel((15, 8)), view.pixel((20, 14))), says("steps", "4"))
     rows.row("focus is kept by a text field", lambda: None, says("typing", "no"))
@@ -160,7 +162,9 @@ def outliner(rows):
     app.xdotool("mousedown", 1)
     app.point_at((place[0], place[1] + 40))
     app.key("Escape")
+    app.point_at((place[0], place[1] + 41))
     app.xdotool("mouseup", 1)
+    app.point_at((place[0] + 2, place[1] + 42))
     rows.row("Esc cancels a dragged row", lambda: None, says("steps", str(steps + 2)))
     rows.row("Ctrl+Z takes the order back", "ctrl+z", says("steps", str(steps + 1)))
 

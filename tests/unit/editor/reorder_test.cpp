@@ -28,7 +28,7 @@ TEST(ReorderEdit, IsOneStepThatUndoes) {
   b.key("Ctrl+Z");
   EXPECT_EQ(b.order(), b.ids);
   b.key("Ctrl+Y");
-  EXPECT_EQ(b.order().front(), b.ids[2]);
+  EXPECT_EQ(b.order(), (std::vector<Id>{b.ids[2], b.ids[0], b.ids[1]}));
 }
 
 TEST(ReorderEdit, HasNoStepWhereNothingMoves) {
