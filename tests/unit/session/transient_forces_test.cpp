@@ -29,7 +29,10 @@ ArrowForce stroke() {
 }
 
 std::unique_ptr<Simulation> simulate(const Project& project) {
-  auto made = Simulation::create(project, {.backend = Backend::Cpu, .threads = 1});
+  SimulationOptions options;
+  options.backend = Backend::Cpu;
+  options.threads = 1;
+  auto made = Simulation::create(project, options);
   EXPECT_TRUE(made.ok());
   return std::move(*made);
 }
