@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 from editor_driver import Failure, display, editor
-from window_test import PROBES, PROJECT, TopView, check
+from window_test import PROJECT, TopView, check
 
 PROJECT = dict(PROJECT, graph={
     "points": [{"id": 1, "name": "gate", "position": [-20, 0]}, {"id": 2, "position": [0, 0]},
@@ -188,7 +188,7 @@ def main():
             rows.row("Ctrl+N starts anew", "ctrl+n", lambda: app.fact("title").startswith("Untitled"))
             app.key("ctrl+q")
             check(app.wait_end() == 0, "closing must end the editor with 0")
-    print(f"{rows.count} rows; probes {sorted(PROBES)}")
+    print(f"{rows.count} keys and gestures did what they should")
 
 
 if __name__ == "__main__":
