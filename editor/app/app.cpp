@@ -215,6 +215,7 @@ void App::passKeys() {
       m_workspace.focusLost();
       m_timeline.focusLost(m_workspace);
       m_viewport.focusLost();
+      m_outliner.cancelDrag();
     }
     if (event.kind != InputEvent::Kind::Key) continue;
     const Key key = translateKey(event.code, event.scancode);
@@ -227,6 +228,8 @@ void App::passKeys() {
       m_afterFields = {key, translateModifiers(event.modifiers), false};
     } else if (key == Key::Escape && popup && !m_dialogs.open())
       ImGui::ClosePopupToLevel(0, false);  // ImGui leaves menus open
+    else if (key == Key::Escape && m_outliner.cancelDrag())
+      continue;
     else if (!busy) {
       const KeyPress press{key, translateModifiers(event.modifiers), event.action == GLFW_REPEAT};
       PanelContext context = panelContext();
@@ -279,6 +282,11 @@ void App::tellMap() {
   map.fact("overlays", overlays);
   map.fact("terrain", document.project().terrain->heights ? document.project().terrain->file : "flat");
   map.fact("scene", m_live->session() ? "yes" : "no");
+  map.fact("playing", m_live->session() && m_live->session()->playing() ? "yes" : "no");
+  map.fact("time", m_live->session() ? std::to_string(m_live->session()->time()) : "");
+  map.fact("help", m_helpOpen ? "yes" : "no");
+  map.fact("palette", m_palette.isOpen() ? "yes" : "no");
+  map.fact("strokes", std::to_string(m_workspace.strokes.size()));
 }
 
 void App::frame() {
@@ -311,7 +319,7 @@ void App::frame() {
 void App::drawPicture(double seconds) {
   // The first frame shows the window at once; the scene's programs are built behind it.
   if (m_frames > 0) m_live->follow(m_workspace.document);
-  m_live->advance(seconds);
+  m_live->advance(seconds, m_workspace.strokes);
   bool drawn = false;
   if (Session* session = m_live->session()) {
     PanelContext context = panelContext();

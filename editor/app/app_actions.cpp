@@ -80,6 +80,17 @@ void App::registerActions() {
        .run =
            [this] { m_live->setLiveGrid(m_live->liveGrid() == LiveGrid::Full ? LiveGrid::Automatic : LiveGrid::Full); },
        .checked = [this] { return m_live->liveGrid() == LiveGrid::Full; }});
+  actions.add({.id = "edit.rename",
+               .label = "Rename",
+               .category = "Edit",
+               .help = "Gives what is selected a name, in the outliner.",
+               .shortcuts = {{Key::F2, {}}},
+               .run =
+                   [this] {
+                     if (!m_outliner.rename(m_workspace.document.project(), m_workspace.selection.active()))
+                       m_workspace.say(MessageKind::Warning, "Points within a tree are named in the inspector");
+                   },
+               .enabled = [this] { return !m_workspace.selection.empty(); }});
   registerSolverActions();
   registerViewActions();
   actions.add({.id = "help.keys",

@@ -46,6 +46,15 @@ void LiveView::advance(double seconds) {
   if (m_session) m_session->advance(seconds);
 }
 
+void LiveView::advance(double seconds, BrushStrokes& strokes) {
+  if (!m_session) return;
+  // Steps since the last frame count, too.
+  strokes.age(m_session->time() - m_strokesTime);
+  m_session->setTransientForces(strokes.forces());
+  m_strokesTime = m_session->time();
+  advance(seconds);
+}
+
 void LiveView::reloadShaders() {
   const gpu::ShaderLibrary::Reload reload = m_shaders->reloadChanged();
   for (const Problem& problem : reload.problems) logError(problem.text());

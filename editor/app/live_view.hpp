@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <memory>
 
+#include "editor/core/brush_strokes.hpp"
 #include "editor/core/document.hpp"
 #include "editor/panels/panel_context.hpp"
 #include "engine/gpu/context.hpp"
@@ -24,6 +25,8 @@ class LiveView {
   void restart();
   /// Runs the wind for `seconds` of real time.
   void advance(double seconds);
+  /// The same with strokes of the wind brush in the air; they grow older with the wind's time.
+  void advance(double seconds, BrushStrokes& strokes);
   /// Builds changed shaders again; problems go to the log and the old ones stay.
   void reloadShaders();
 
@@ -49,6 +52,7 @@ class LiveView {
   bool m_fullQuality = false, m_broken = false;
   LiveGrid m_liveGrid = LiveGrid::Automatic;
   std::uint64_t m_revision = 0;
+  double m_strokesTime = 0;    // of the wind when strokes were last given to it
   double m_frameSeconds = 0;  // smoothed
 };
 

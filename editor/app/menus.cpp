@@ -39,6 +39,21 @@ void recentMenu(Workspace& workspace) {
   ImGui::EndMenu();
 }
 
+void camerasMenu(Workspace& workspace) {
+  const auto cameras = workspace.document.project().cameras;
+  const bool open = ImGui::BeginMenu("Project cameras", !cameras->empty());
+  markItem("menu/Project cameras");
+  if (!open) return;
+  for (const Camera& camera : *cameras) {
+    const std::string name = camera.name.empty() ? "Camera " + std::to_string(camera.id) : camera.name;
+    ImGui::PushID(int(camera.id));
+    if (ImGui::MenuItem(name.c_str(), nullptr, workspace.lookedThrough() == camera.id)) workspace.lookAs(camera.id);
+    ImGui::PopID();
+    markItem("menu/camera:" + std::to_string(camera.id));
+  }
+  ImGui::EndMenu();
+}
+
 void samplesMenu(Workspace& workspace) {
   if (!ImGui::BeginMenu("Samples")) return;
   const auto folder = findDataFolder("projects");
@@ -64,6 +79,7 @@ constexpr ToolButton kTools[] = {
     {"tool.select", icons::kSelect, "Select"}, {"tool.move", icons::kMove, "Move"},
     {"tool.rotate", icons::kRotate, "Rotate"}, {"tool.scale", icons::kScale, "Scale"},
     {"tool.draw", icons::kDraw, "Draw"},       {"tool.obstacle", icons::kObstacle, "Obstacle"},
+    {"tool.vortex", icons::kVortex, "Vortex"}, {"tool.brush", icons::kBrush, "Brush"},
     {"tool.probe", icons::kProbe, "Probe"},    {"tool.delete", icons::kEraser, "Delete"},
 };
 constexpr ToolButton kEdits[] = {{"edit.undo", icons::kUndo, "Undo"}, {"edit.redo", icons::kRedo, "Redo"}};
@@ -129,6 +145,7 @@ void drawMenuBar(Workspace& workspace) {
       if (action.category != menu || action.id == "file.quit") continue;
       actionItem(actions, action);
       if (action.id == "file.new") templatesMenu(workspace);
+      if (action.id == "view.camera_store") camerasMenu(workspace);
       if (action.id == "file.open") {
         recentMenu(workspace);
         samplesMenu(workspace);

@@ -5,6 +5,7 @@
 #include "editor/core/graph_edits.hpp"
 #include "editor/core/move_drag.hpp"
 #include "editor/core/object_edits.hpp"
+#include "editor/core/project_cameras.hpp"
 #include "editor/core/workspace.hpp"
 
 namespace windloom::editor {
@@ -162,13 +163,26 @@ void reportIfNothing(Workspace& w, const Edit& edit, const char* what) {
   }
 }
 
+/// The selected points; of a single one also those it was put on.
+std::vector<Id> pointsToMerge(const Workspace& w) {
+  constexpr float kSamePlaceM = 1e-3f;
+  std::vector<Id> ids(w.selection.ids().begin(), w.selection.ids().end());
+  const WindGraph& graph = *w.document.committed().graph;
+  const Point* only = ids.size() == 1 ? findPoint(graph, ids[0]) : nullptr;
+  if (!only) return ids;
+  for (const Point& point : graph.points) {
+    if (point.id != only->id && glm::distance(point.position, only->position) < kSamePlaceM) ids.push_back(point.id);
+  }
+  return ids;
+}
+
 void addGraphActions(Workspace& workspace) {
   Adder graph(workspace, "Graph");
   graph.onSelection("graph.extrude", "Extrude", "Adds a branch from the selected point to the pointer", {"Shift+E"},
                     extrude);
   graph.onSelection("graph.merge", "Merge points", "Merges the selected points into one; their flows merge", {"Ctrl+J"},
                     [](Workspace& w) {
-                      reportIfNothing(w, mergePointsEdit(w.document.committed(), w.selection.ids()),
+                      reportIfNothing(w, mergePointsEdit(w.document.committed(), pointsToMerge(w)),
                                       "Select two points or more to merge them");
                     });
   graph.onSelection("graph.split", "Split", "Cuts the tree at the selected points", {"Y"}, [](Workspace& w) {
@@ -229,9 +243,9 @@ void addFlagActions(Workspace& workspace) {
 
 void addToolActions(Workspace& workspace) {
   Adder tools(workspace, "Tools");
-  constexpr std::pair<const char*, const char*> keys[] = {{"select", "Q"}, {"move", "W"},  {"rotate", "E"},
-                                                          {"scale", "R"},  {"draw", "D"},  {"obstacle", "O"},
-                                                          {"vortex", "V"}, {"probe", "P"}, {"delete", nullptr}};
+  constexpr std::pair<const char*, const char*> keys[] = {
+      {"select", "Q"},   {"move", "W"},   {"rotate", "E"}, {"scale", "R"}, {"draw", "D"},
+      {"obstacle", "O"}, {"vortex", "V"}, {"probe", "P"},  {"brush", "B"}, {"delete", nullptr}};
   for (const auto& [id, key] : keys) {
     const std::string tool = id;
     std::string label;
@@ -257,6 +271,31 @@ void addToolActions(Workspace& workspace) {
   snapSwitch("snap.points", "Snap to points", "Drawn arrows join the points they end at", &SnapSettings::points);
 }
 
+/// Through the project's cameras in turn.
+void nextCamera(Workspace& w) {
+  const std::vector<Camera>& cameras = *w.document.project().cameras;
+  if (cameras.empty()) return w.say(MessageKind::Warning, "The project has no camera yet: store the view as one");
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < cameras.size(); ++i) {
+    if (cameras[i].id == w.lookedThrough()) next = (i + 1) % cameras.size();
+  }
+  w.lookAs(cameras[next].id);
+  w.say(MessageKind::Info, describeIds(w.document.project(), std::span(&cameras[next].id, 1)));
+}
+
+void addCameraActions(Workspace& workspace) {
+  Adder view(workspace, "View");
+  view.always("view.camera_next", "Next project camera", "Looks through the project's cameras in turn", {}, nextCamera);
+  view.always("view.camera_store", "Camera from view", "Stores the view in the project as a camera", {},
+              [](Workspace& w) {
+                const AddResult added = addCameraEdit(w.document.committed(), w.camera);
+                if (!w.apply(added.edit)) return;
+                w.lookAs(added.id);
+                const std::string name = nameOf(w.document.project(), added.id);
+                w.say(MessageKind::Info, "Stored as " + name);
+              });
+}
+
 void addViewActions(Workspace& workspace) {
   Adder view(workspace, "View");
   view.always("view.frame", "Frame selection", "Shows the selection, or everything", {"F"},
@@ -273,6 +312,7 @@ void addViewActions(Workspace& workspace) {
       "view.orthographic", "Orthographic", "Without perspective", {"Numpad 5"},
       [](Workspace& w) { w.camera.orthographic = !w.camera.orthographic; },
       [](Workspace& w) { return w.camera.orthographic; });
+  addCameraActions(workspace);
 }
 
 /// The kind is the project's: a key switches it as an edit.

@@ -91,6 +91,10 @@ class DrawDrag : public Drag {
   bool onWheel(ToolContext& context, float notches, Modifiers modifiers) override {
     return changeModel(context, notches, modifiers);
   }
+  bool onKey(ToolContext& context, const KeyPress& press) override {
+    if (press.key != Key::BracketLeft && press.key != Key::BracketRight) return false;
+    return changeModel(context, press.key == Key::BracketRight ? 1.0f : -1.0f, press.modifiers);
+  }
   void shapes(const ToolContext& context, PreviewShapes& shapes) const override {
     if (m_end) describe(context, m_start, *m_end, m_pixel, shapes);
   }
@@ -191,7 +195,11 @@ void DrawTool::onHover(ToolContext& context, const PointerEvent& pointer) {
   m_hover = m_chain ? endAt(context, pointer, *m_chain) : std::nullopt;
 }
 
-bool DrawTool::onKey(ToolContext&, const KeyPress& press) {
+bool DrawTool::onKey(ToolContext& context, const KeyPress& press) {
+  // What is drawn next; where arrows are selected and nothing is under way the keys are theirs.
+  const bool bracket = press.key == Key::BracketLeft || press.key == Key::BracketRight;
+  if (bracket && (m_chain || context.selection.empty()))
+    return changeModel(context, press.key == Key::BracketRight ? 1.0f : -1.0f, press.modifiers);
   const bool ends = press.key == Key::Enter || press.key == Key::NumpadEnter;
   if (!ends || !m_chain) return false;
   m_chain.reset();

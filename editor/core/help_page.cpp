@@ -7,17 +7,29 @@ namespace {
 
 /// What the mouse does isn't an action; see Navigator and the tools.
 HelpSection mouse() {
-  return {"Mouse",
-          {{"Orbit", "Middle button, or Alt + left", ""},
-           {"Pan", "Shift + middle, or Alt + middle", ""},
-           {"Zoom to the cursor", "Wheel, or Alt + right", ""},
-           {"Fly", "Right button + W A S D Q E", "The wheel changes the speed, Shift is fast."},
-           {"Box select", "Left on empty ground, drag", "Shift adds, Ctrl toggles."},
-           {"Select the next thing that overlaps there", "Click again at the same place", ""},
-           {"Insert a point", "Ctrl + click on an arrow", ""},
-           {"Lock the axis while dragging", "X, Z", "Type a number and Enter for an exact distance."},
-           {"Cancel a drag", "Esc or right button", ""},
-           {"Change a number", "Drag it", "Ctrl fine, Shift coarse, click to type, right click resets."}}};
+  return {
+      "Mouse",
+      {{"Orbit", "Middle button, or Alt + left", ""},
+       {"Pan", "Shift + middle, or Alt + middle", ""},
+       {"Zoom to the cursor", "Wheel, or Alt + right", ""},
+       {"Fly", "Right button + W A S D Q E", "The wheel changes the speed, Shift is fast."},
+       {"Box select", "Left on empty ground, drag", "Shift adds, Ctrl toggles."},
+       {"Select the next thing that overlaps there", "Click again at the same place", ""},
+       {"Insert a point", "Ctrl + click on an arrow", ""},
+       {"Draw a tree", "D, then press, drag, release; or click, click, click",
+        "Begins and ends on points nearby; Enter or right click ends, the wheel changes the radius, Shift+wheel the "
+        "strength."},
+       {"Draw an obstacle", "O, then drag", "C changes between circle and box."},
+       {"Draw a polygon", "O, then click, click, click",
+        "Enter, right click or the first corner closes; Backspace takes a corner back, Esc drops it."},
+       {"Change a polygon", "Drag a corner, Ctrl + click on a side, Del on a corner", ""},
+       {"Move, turn, scale", "Drag the arms, the ring or the ends of the gizmo", "An arm locks its axis."},
+       {"Comb the wind", "B, then drag", "It fades, and is no part of the project."},
+       {"Copy", "Alt + drag", ""},
+       {"Lock the axis while dragging", "X, Z", "Type a number and Enter for an exact distance, angle or factor."},
+       {"Cancel a drag", "Esc or right button", ""},
+       {"Change the order", "Drag a row of the outliner", ""},
+       {"Change a number", "Drag it", "Ctrl fine, Shift coarse, click to type, right click resets."}}};
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "editor/core/inspector_relevance.hpp"
 #include "editor/core/selection.hpp"
 #include "engine/model/evaluate.hpp"
+#include "engine/model/outline.hpp"
 #include "engine/model/parameters.hpp"
 
 namespace windloom::editor {
@@ -154,6 +155,16 @@ std::string mergeKey(const InspectorTarget& target, std::string_view key) {
   return "set:" + std::to_string(static_cast<int>(target.kind)) + ":" + std::string(key) + ":" + std::to_string(hash);
 }
 
+/// An obstacle that becomes a polygon begins with the outline that it has.
+void giveCorners(Obstacle& obstacle, std::string_view key, const ParameterValue& value) {
+  if (key != "shape" || value != ParameterValue(static_cast<int>(ObstacleShape::Polygon))) return;
+  if (!obstacle.points.empty()) return;
+  constexpr int kCornersOfCircle = 16;
+  for (const glm::vec2 corner : outlineOf(obstacle, kCornersOfCircle))
+    obstacle.points.push_back(toOwn(obstacle, corner));
+  if (obstacle.shape == ObstacleShape::Circle) obstacle.rotation = 0.0f;
+}
+
 /// `change` gives the new value of an owner's parameter; nothing is written where it is equal.
 template <class Change>
 Result<Edit> changeParameter(const Project& project, const InspectorTarget& target, std::string_view key,
@@ -175,6 +186,7 @@ Result<Edit> changeParameter(const Project& project, const InspectorTarget& targ
         const std::string problem = parameterProblem(parameter.info, after);
         if (!problem.empty()) return makeError(ErrorKind::BadInput, label + ": " + problem);
         if (after == before) continue;
+        if constexpr (std::is_same_v<Owner, Obstacle>) giveCorners(owner, key, after);
         parameter.set(owner, after);
         edit.steps.push_back(Access::write(std::move(owner)));
       }

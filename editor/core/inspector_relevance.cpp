@@ -15,7 +15,8 @@ bool isRelevant(const Signal& signal, std::string_view key) {
 
 bool isRelevant(const Obstacle& obstacle, std::string_view key) {
   if (key == "radius") return obstacle.shape == ObstacleShape::Circle;
-  if (key == "size" || key == "rotation") return obstacle.shape == ObstacleShape::Box;
+  if (key == "size") return obstacle.shape == ObstacleShape::Box;
+  if (key == "rotation") return obstacle.shape != ObstacleShape::Circle;
   return true;
 }
 

@@ -1,31 +1,52 @@
 #include "editor/core/move_drag.hpp"
 
+#include <algorithm>
+
 #include "editor/core/object_edits.hpp"
 #include "editor/core/snapping.hpp"
 #include "engine/core/text.hpp"
 
 namespace windloom::editor {
 
-MoveDrag::MoveDrag(const ToolContext& context, glm::vec2 pressed, glm::vec2 anchor, MoveWhat what)
-    : m_pressed(pressed), m_anchor(anchor), m_what(what) {
+MoveDrag::MoveDrag(const ToolContext& context, glm::vec2 pressed, glm::vec2 anchor, MoveWhat what, AxisLock lock)
+    : m_pressed(pressed), m_anchor(anchor), m_what(what), m_lock(lock) {
   const auto selected = context.selection.ids();
   if (what == MoveWhat::Copies) {
     m_ids.assign(selected.begin(), selected.end());
   } else {
     m_ids = movableIds(context.document.committed(), selected);
+    for (const Id id : m_ids) {
+      const Point* point = findPoint(*context.document.committed().graph, id);
+      if (point && point->position == anchor) m_anchorPoint = id;
+    }
   }
 }
 
-glm::vec2 MoveDrag::deltaFor(const ToolContext& context, const PointerEvent& pointer) const {
-  const glm::vec2 way = m_lock == AxisLock::X   ? glm::vec2(1.0f, 0.0f)
-                        : m_lock == AxisLock::Z ? glm::vec2(0.0f, 1.0f)
-                                                : glm::vec2(0.0f);
+/// A point that stays where it is.
+const Point* MoveDrag::pointUnder(const ToolContext& context, glm::vec2 pixel) const {
+  if (!context.settings.snap.points || m_anchorPoint == 0) return nullptr;
+  PickOptions options{.arrows = false, .obstacles = false, .probes = false};
+  options.radiusPx = context.settings.hitRadiusPx;
+  const Project& project = context.document.committed();
+  for (const Hit& hit : pick(project, context.view, context.ground, pixel, options)) {
+    if (std::find(m_ids.begin(), m_ids.end(), hit.id) == m_ids.end()) return findPoint(*project.graph, hit.id);
+  }
+  return nullptr;
+}
+
+glm::vec2 MoveDrag::deltaFor(const ToolContext& context, const PointerEvent& pointer) {
+  const glm::vec2 way = axisOf(m_lock);
+  m_snapped = 0;
   if (const auto distance = m_number.value()) {
     if (m_lock != AxisLock::None) return *distance * way;
     const float length = glm::length(m_free);
     return *distance * (length > 1e-4f ? m_free / length : glm::vec2(1.0f, 0.0f));
   }
-  const glm::vec2 snapped = snapToGrid(context.settings.snap, m_anchor + m_free, pointer.modifiers) - m_anchor;
+  if (const Point* target = m_lock == AxisLock::None ? pointUnder(context, pointer.pixel) : nullptr) {
+    m_snapped = target->id;
+    return target->position - m_anchor;
+  }
+  const glm::vec2 snapped = snapEnd(context.settings.snap, m_anchor, m_anchor + m_free, pointer.modifiers) - m_anchor;
   return m_lock == AxisLock::None ? snapped : snapped * way;
 }
 
@@ -61,22 +82,12 @@ bool MoveDrag::onKey(ToolContext&, const KeyPress& press) {
     m_finished = true;
     return true;
   }
-  if (!press.modifiers.any() && (press.key == Key::X || press.key == Key::Z)) {
-    const AxisLock lock = press.key == Key::X ? AxisLock::X : AxisLock::Z;
-    m_lock = m_lock == lock ? AxisLock::None : lock;
-    return true;
-  }
-  return m_number.onKey(press);
+  return toggleLock(m_lock, press) || m_number.onKey(press);
 }
 
 void MoveDrag::shapes(const ToolContext& context, PreviewShapes& shapes) const {
-  constexpr float kReach = 2000.0f;
-  if (m_lock != AxisLock::None) {
-    const bool x = m_lock == AxisLock::X;
-    const glm::vec3 middle = context.ground.lift(m_anchor);
-    const glm::vec3 way = x ? glm::vec3(kReach, 0.0f, 0.0f) : glm::vec3(0.0f, 0.0f, kReach);
-    shapes.lines.push_back({middle - way, middle + way, x ? ShapeRole::AxisX : ShapeRole::AxisZ});
-  }
+  addLockLine(shapes, context.ground, m_lock, m_anchor);
+  if (m_snapped != 0) shapes.dots.push_back({context.ground.lift(m_anchor + m_delta), ShapeRole::Snap});
   shapes.lines.push_back({context.ground.lift(m_anchor), context.ground.lift(m_anchor + m_delta), ShapeRole::Guide});
   const double length = static_cast<double>(glm::length(m_delta));
   std::string text = m_number.empty() ? fixed(length, 2) + " m" : m_number.text() + " m";
@@ -85,6 +96,7 @@ void MoveDrag::shapes(const ToolContext& context, PreviewShapes& shapes) const {
 }
 
 std::string MoveDrag::hint(const ToolContext&) const {
+  if (m_snapped != 0) return "On a point: release, then Ctrl+J merges the two";
   return "X or Z locks the axis, type a distance + Enter, Ctrl snaps to the grid, Esc cancels";
 }
 

@@ -3,19 +3,21 @@
 
 #include <vector>
 
+#include "editor/core/axis_lock.hpp"
 #include "editor/core/number_entry.hpp"
 #include "editor/core/tool.hpp"
 
 namespace windloom::editor {
 
-enum class AxisLock { None, X, Z };
 enum class MoveWhat { Selection, Copies };
 
 /// X and Z lock the axis, a typed number is the distance along it (or along the way the pointer went).
 class MoveDrag : public Drag {
  public:
-  /// `anchor` is the place on the ground that follows the pointer (the grabbed handle's) and snaps to the grid.
-  MoveDrag(const ToolContext& context, glm::vec2 pressed, glm::vec2 anchor, MoveWhat what);
+  /// `anchor` is the place on the ground that follows the pointer (the grabbed handle's) and snaps to the grid. Where
+  /// it is a moved point, it snaps to other points, too.
+  MoveDrag(const ToolContext& context, glm::vec2 pressed, glm::vec2 anchor, MoveWhat what,
+           AxisLock lock = AxisLock::None);
 
   std::optional<Edit> update(ToolContext& context, const PointerEvent& pointer) override;
   std::optional<Edit> end(ToolContext& context) override;
@@ -26,7 +28,8 @@ class MoveDrag : public Drag {
   [[nodiscard]] std::string hint(const ToolContext& context) const override;
 
  private:
-  [[nodiscard]] glm::vec2 deltaFor(const ToolContext& context, const PointerEvent& pointer) const;
+  [[nodiscard]] glm::vec2 deltaFor(const ToolContext& context, const PointerEvent& pointer);
+  [[nodiscard]] const Point* pointUnder(const ToolContext& context, glm::vec2 pixel) const;
   std::optional<Edit> make(const ToolContext& context);
 
   glm::vec2 m_pressed, m_anchor;
@@ -36,7 +39,9 @@ class MoveDrag : public Drag {
   glm::vec2 m_free{0.0f};   // where the pointer would move it
   glm::vec2 m_delta{0.0f};  // with lock, snap and typed number
   glm::vec2 m_pixel{0.0f};
-  AxisLock m_lock = AxisLock::None;
+  AxisLock m_lock;
+  Id m_anchorPoint = 0;  // the moved point at the anchor
+  Id m_snapped = 0;      // the point that it snapped to
   NumberEntry m_number;
   bool m_finished = false;
 };

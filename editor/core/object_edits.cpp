@@ -53,6 +53,27 @@ void putEach(Edit& edit, const std::vector<T>& records, const std::unordered_set
   }
 }
 
+/// Its outline scaled along the world's axes around its centre, as well as its shape allows.
+void scaleObstacle(Obstacle& obstacle, glm::vec2 scale) {
+  const float mean = std::sqrt(scale.x * scale.y);
+  obstacle.radius = clampTo<Obstacle>("radius", obstacle.radius * mean);
+  const float angle = glm::radians(obstacle.rotation), c = std::cos(angle), s = std::sin(angle);
+  const glm::vec2 along(glm::length(scale * glm::vec2(c, s)), glm::length(scale * glm::vec2(-s, c)));
+  obstacle.size = {clampTo<Obstacle>("size", obstacle.size.x * along.x),
+                   clampTo<Obstacle>("size", obstacle.size.y * along.y)};
+  for (glm::vec2& own : obstacle.points) {
+    const glm::vec2 world = scale * glm::vec2(own.x * c - own.y * s, own.x * s + own.y * c);
+    own = scale.x == scale.y ? own * scale.x : glm::vec2(world.x * c + world.y * s, world.y * c - world.x * s);
+  }
+}
+
+/// Whether the ids' order in one of the lists would be another one.
+template <class Record>
+bool movesIn(const std::vector<Record>& before, const std::vector<Record>& after) {
+  return !std::equal(before.begin(), before.end(), after.begin(), after.end(),
+                     [](const Record& a, const Record& b) { return a.id == b.id; });
+}
+
 }  // namespace
 
 std::vector<Id> movableIds(const Project& project, std::span<const Id> ids) {
@@ -92,21 +113,19 @@ std::optional<glm::vec2> pivotOf(const Project& project, std::span<const Id> ids
   return sum / static_cast<float>(movable.size());
 }
 
-Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, float scale) {
+Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, glm::vec2 scale) {
   const float c = std::cos(glm::radians(degrees)), s = std::sin(glm::radians(degrees));
   const auto placed = [&](glm::vec2 at) {
     const glm::vec2 d = (at - pivot) * scale;
     return pivot + glm::vec2(d.x * c - d.y * s, d.x * s + d.y * c);
   };
-  Edit edit = named(scale == 1.0f ? "Rotate" : "Scale");
+  Edit edit = named(scale == glm::vec2(1.0f) ? "Rotate" : "Scale");
   const std::unordered_set<Id> moved = setOf(movableIds(project, ids));
   putEach(edit, project.graph->points, moved, [&](Point& point) { point.position = placed(point.position); });
   putEach(edit, *project.obstacles, moved, [&](Obstacle& obstacle) {
+    scaleObstacle(obstacle, scale);
     obstacle.centre = placed(obstacle.centre);
     obstacle.rotation = std::remainder(obstacle.rotation + degrees, 360.0f);
-    obstacle.radius = clampTo<Obstacle>("radius", obstacle.radius * scale);
-    obstacle.size = {clampTo<Obstacle>("size", obstacle.size.x * scale),
-                     clampTo<Obstacle>("size", obstacle.size.y * scale)};
   });
   putEach(edit, *project.probes, moved, [&](Probe& probe) { probe.position = placed(probe.position); });
   return edit;
@@ -141,6 +160,7 @@ Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float fact
   putEach(edit, project.graph->arrows, setOf(arrows),
           [&](Arrow& arrow) { arrow.radius = clampTo<Arrow>("radius", arrow.radius * factor); });
   putEach(edit, *project.obstacles, setOf(ids), [&](Obstacle& obstacle) {
+    if (obstacle.shape == ObstacleShape::Polygon) return;
     obstacle.radius = clampTo<Obstacle>("radius", obstacle.radius * factor);
     obstacle.size = {clampTo<Obstacle>("size", obstacle.size.x * factor),
                      clampTo<Obstacle>("size", obstacle.size.y * factor)};
@@ -166,6 +186,19 @@ AddResult addObstacleEdit(const Project& project, Obstacle obstacle) {
   obstacle.id = result.id;
   result.edit.steps.emplace_back(Put<Obstacle>{std::move(obstacle)});
   return result;
+}
+
+Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before) {
+  Edit edit = named("Reorder");
+  edit.steps.emplace_back(Reorder{{ids.begin(), ids.end()}, before});
+  const Result<Project> moved = applyEdit(project, edit);
+  const bool changes =
+      moved &&
+      (movesIn(project.graph->points, moved->graph->points) || movesIn(project.graph->arrows, moved->graph->arrows) ||
+       movesIn(*project.obstacles, *moved->obstacles) || movesIn(*project.probes, *moved->probes) ||
+       movesIn(*project.cameras, *moved->cameras));
+  if (!changes) edit.steps.clear();
+  return edit;
 }
 
 AddResult addProbeEdit(const Project& project, Probe probe) {

@@ -13,9 +13,14 @@ namespace windloom::editor {
 
 /// What a move takes along: points, obstacles and probes of the ids, and both ends of arrows; nothing locked.
 std::vector<Id> movableIds(const Project& project, std::span<const Id> ids);
-/// Positions turned by `degrees` (from +X towards +Z) and scaled around `pivot`; boxes turn, circles and boxes
-/// scale along. `scale` must be above 0.
-Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, float scale);
+/// Positions scaled along x and z around `pivot`, then turned by `degrees` (from +X towards +Z); boxes and polygons
+/// turn, all obstacles scale along (circles by the mean of both factors, boxes along their own axes). Factors must be
+/// above 0.
+Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, glm::vec2 scale);
+inline Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees,
+                          float scale) {
+  return transformEdit(project, ids, pivot, degrees, glm::vec2(scale));
+}
 /// Mean position of what the ids move.
 std::optional<glm::vec2> pivotOf(const Project& project, std::span<const Id> ids);
 
@@ -45,7 +50,7 @@ Edit isolateEdit(const Project& project, std::span<const Id> ids);
 
 /// Strength of arrowsOf times `factor`, kept within its range; repeated steps merge.
 Edit scaleStrengthEdit(const Project& project, std::span<const Id> ids, float factor);
-/// Radius of arrowsOf and of circles times `factor`.
+/// Radius of arrowsOf and of circles, sides of boxes times `factor`.
 Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float factor);
 
 Edit renameEdit(const Project& project, Id id, std::string name);
@@ -54,6 +59,8 @@ struct AddResult {
   Id id = 0;
 };
 AddResult addObstacleEdit(const Project& project, Obstacle obstacle);
+/// The ids moved in their lists to just before the record `before`, 0: to the end; see Reorder.
+Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before);
 AddResult addProbeEdit(const Project& project, Probe probe);
 /// Erases the ids, the arrows at erased points, and the points that lose their last arrow by it.
 Edit deleteEdit(const Project& project, std::span<const Id> ids);

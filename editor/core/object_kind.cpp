@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "editor/core/id_index.hpp"
+#include "engine/model/outline.hpp"
 
 namespace windloom::editor {
 namespace {
@@ -110,9 +111,7 @@ std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id>
       includePoint(bounds, index, arrow->from);
       includePoint(bounds, index, arrow->to);
     } else if (const Obstacle* obstacle = index.obstacle(id)) {
-      const glm::vec2 half = obstacle->shape == ObstacleShape::Circle ? glm::vec2(obstacle->radius)
-                                                                      : glm::vec2(0.5f * glm::length(obstacle->size));
-      include(bounds, obstacle->centre - half, obstacle->centre + half);
+      for (const glm::vec2 corner : outlineOf(*obstacle)) include(bounds, corner, corner);
     } else if (const Probe* probe = index.probe(id)) {
       include(bounds, probe->position, probe->position);
     } else if (const Camera* camera = index.camera(id)) {

@@ -8,11 +8,11 @@
 
 #include "editor/core/id_index.hpp"
 #include "editor/core/selection.hpp"
+#include "engine/model/outline.hpp"
 
 namespace windloom::editor {
 namespace {
 
-constexpr int kCircleSegments = 48;
 constexpr int kGroundPieces = 12;  // an arrow or a side on uneven ground
 
 struct Nearest {
@@ -69,42 +69,20 @@ class Picker {
     return best;
   }
 
-  [[nodiscard]] bool inside(const Obstacle& obstacle) const {
-    if (!m_place) return false;
-    const glm::vec2 d = *m_place - obstacle.centre;
-    if (obstacle.shape == ObstacleShape::Circle) return glm::length(d) <= obstacle.radius;
-    const float r = glm::radians(obstacle.rotation);
-    const glm::vec2 own(d.x * std::cos(r) + d.y * std::sin(r), -d.x * std::sin(r) + d.y * std::cos(r));
-    return std::abs(own.x) <= 0.5f * obstacle.size.x && std::abs(own.y) <= 0.5f * obstacle.size.y;
-  }
+  [[nodiscard]] bool inside(const Obstacle& obstacle) const { return m_place && isInside(obstacle, *m_place); }
 
   /// False where the outline is surely out of reach: saves the outline.
   [[nodiscard]] bool couldReach(const Obstacle& obstacle, float radiusPx) const {
     if (!m_place) return true;
-    const float extent = obstacle.shape == ObstacleShape::Circle ? obstacle.radius : 0.5f * glm::length(obstacle.size);
     const float reach = 4.0f * radiusPx * m_view.metresPerPixel(m_ground.lift(obstacle.centre));
     const float grazing = std::max(0.05f, -m_view.camera().forward().y);  // a pixel covers more ground edge-on
-    return glm::distance(*m_place, obstacle.centre) <= extent + reach / grazing;
+    return glm::distance(*m_place, obstacle.centre) <= reachOf(obstacle) + reach / grazing;
   }
 
  private:
   /// Whether an end lies behind the camera, so that the line has to be cut.
   [[nodiscard]] bool needsPieces(glm::vec2 a, glm::vec2 b) const {
     return !m_view.groundToScreen(a, m_ground) || !m_view.groundToScreen(b, m_ground);
-  }
-  static std::vector<glm::vec2> outlineOf(const Obstacle& obstacle) {
-    std::vector<glm::vec2> outline;
-    if (obstacle.shape == ObstacleShape::Circle) {
-      for (int i = 0; i < kCircleSegments; ++i) {
-        const float angle = glm::radians(360.0f * static_cast<float>(i) / kCircleSegments);
-        outline.push_back(obstacle.centre + obstacle.radius * glm::vec2(std::cos(angle), std::sin(angle)));
-      }
-      return outline;
-    }
-    const float r = glm::radians(obstacle.rotation);
-    const glm::vec2 x = 0.5f * obstacle.size.x * glm::vec2(std::cos(r), std::sin(r));
-    const glm::vec2 z = 0.5f * obstacle.size.y * glm::vec2(-std::sin(r), std::cos(r));
-    return {obstacle.centre - x - z, obstacle.centre + x - z, obstacle.centre + x + z, obstacle.centre - x + z};
   }
 
   const ViewMapping& m_view;

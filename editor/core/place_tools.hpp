@@ -1,20 +1,9 @@
 #pragma once
-// Tools that set down or take away single things: obstacles, probes, delete.
+// Tools that set down or take away single things: probes, delete.
 
 #include "editor/core/tool.hpp"
 
 namespace windloom::editor {
-
-/// Drag from the centre outwards. C changes between circle and box, also during the drag.
-class ObstacleTool : public Tool {
- public:
-  [[nodiscard]] std::string id() const override { return "obstacle"; }
-  [[nodiscard]] std::string label() const override { return "Obstacle"; }
-  [[nodiscard]] std::string hint(const ToolContext& context) const override;
-  [[nodiscard]] PointerShape pointerShape() const override { return PointerShape::Cross; }
-  std::unique_ptr<Drag> beginDrag(ToolContext& context, const PointerEvent& press) override;
-  bool onKey(ToolContext& context, const KeyPress& press) override;
-};
 
 /// Click sets a probe down; a drag sets it down where it ends.
 class ProbeTool : public Tool {

@@ -20,12 +20,14 @@ struct PreviewShapes {
   struct Line {
     glm::vec3 a{0.0f}, b{0.0f};
     ShapeRole role = ShapeRole::Preview;
+    bool bold = false;
   };
   /// A ring on the ground.
   struct Disc {
     glm::vec3 centre{0.0f};
     float radius = 1.0f;
     ShapeRole role = ShapeRole::Preview;
+    bool bold = false;
   };
   struct Arrow {
     glm::vec3 from{0.0f}, to{0.0f};
@@ -36,6 +38,16 @@ struct PreviewShapes {
   struct Dot {
     glm::vec3 at{0.0f};
     ShapeRole role = ShapeRole::Preview;
+  };
+  /// A handle of fixed screen size to drag by; `hot` under the pointer.
+  enum class GripForm { Square, Round, Tip };
+  struct Grip {
+    glm::vec3 at{0.0f};
+    glm::vec3 from{0.0f};  ///< Tip: where its line comes from
+    GripForm form = GripForm::Square;
+    ShapeRole role = ShapeRole::Preview;
+    bool hot = false;
+    std::string name = {};  ///< for tests that look for it on the screen: "grip:radius"
   };
   /// A rectangle in pixels of the viewport (box select).
   struct Rectangle {
@@ -51,6 +63,7 @@ struct PreviewShapes {
   std::vector<Disc> discs;
   std::vector<Arrow> arrows;
   std::vector<Dot> dots;
+  std::vector<Grip> grips;
   std::vector<Rectangle> rectangles;
   std::vector<Label> labels;
 };

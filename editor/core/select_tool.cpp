@@ -64,6 +64,7 @@ std::string SelectTool::label() const {
 }
 
 std::string SelectTool::hint(const ToolContext&) const {
+  if (m_hot) return gripHint(*m_hot);
   switch (m_kind) {
     case SelectKind::Select:
       return "Click selects, Shift adds, Ctrl toggles, drag moves, drag on empty ground draws a box, "
@@ -71,9 +72,9 @@ std::string SelectTool::hint(const ToolContext&) const {
     case SelectKind::Move:
       return "Drag moves the selection, then X or Z locks the axis, numbers + Enter set the distance";
     case SelectKind::Rotate:
-      return "Drag turns the selection around its middle";
+      return "Drag turns the selection around its middle, numbers + Enter set the angle";
     case SelectKind::Scale:
-      return "Drag away from the middle of the selection or towards it";
+      return "Drag away from the middle of the selection or towards it, then X or Z locks the axis";
   }
   return {};
 }
@@ -84,9 +85,16 @@ PointerShape SelectTool::pointerShape() const {
 
 void SelectTool::onClick(ToolContext& context, const PointerEvent& pointer) {
   const Modifiers held = pointer.modifiers;
+  const std::optional<Grip> grip = held.any() ? std::nullopt : gripAt(context, m_kind, pointer.pixel);
+  m_corner.reset();
+  if (grip && grip->kind == GripKind::Corner) {
+    m_corner = grip;
+    return;
+  }
   if (held.ctrl && !held.shift) {
     std::string message;
-    const bool inserted = insertPointAt(context, pointer.pixel, message);
+    const bool inserted =
+        insertPointAt(context, pointer.pixel, message) || insertCornerAt(context, pointer.pixel, message);
     if (!message.empty()) say(std::move(message));
     if (inserted) return;
   }
@@ -120,17 +128,58 @@ std::unique_ptr<Drag> SelectTool::transform(ToolContext& context, const PointerE
                                     press.modifiers.alt ? MoveWhat::Copies : MoveWhat::Selection);
 }
 
+std::unique_ptr<Drag> SelectTool::dragGrip(ToolContext& context, const PointerEvent& press, const Grip& grip) {
+  if (grip.obstacle != 0) return makeOutlineDrag(grip);
+  const auto place = context.groundAt(press.pixel);
+  const auto pivot = pivotOf(context.document.committed(), context.selection.ids());
+  if (!place || !pivot) return nullptr;
+  const AxisLock lock = grip.kind == GripKind::AxisX   ? AxisLock::X
+                        : grip.kind == GripKind::AxisZ ? AxisLock::Z
+                                                       : AxisLock::None;
+  if (m_kind == SelectKind::Move) return std::make_unique<MoveDrag>(context, *place, *pivot, MoveWhat::Selection, lock);
+  const TransformKind kind = m_kind == SelectKind::Rotate ? TransformKind::Rotate : TransformKind::Scale;
+  return std::make_unique<TransformDrag>(context, kind, *pivot, *place, lock);
+}
+
+void SelectTool::onHover(ToolContext& context, const PointerEvent& pointer) {
+  m_hot = pointer.modifiers.alt || pointer.modifiers.shift ? std::nullopt : gripAt(context, m_kind, pointer.pixel);
+}
+
+bool SelectTool::onKey(ToolContext& context, const KeyPress& press) {
+  if (press.modifiers.any() || (press.key != Key::Delete && press.key != Key::X)) return false;
+  const std::optional<Grip> corner = m_hot && m_hot->kind == GripKind::Corner ? m_hot : m_corner;
+  if (!corner || context.selection.active() != corner->obstacle) return false;
+  const Edit edit = removeCornerEdit(context.document.committed(), corner->obstacle, corner->index);
+  if (edit.steps.empty()) return false;
+  m_hot.reset();
+  m_corner.reset();
+  commit(context, edit);
+  return true;
+}
+
+void SelectTool::shapes(const ToolContext& context, PreviewShapes& shapes) const {
+  addGripShapes(context, m_kind, m_hot ? m_hot : m_corner, shapes);
+}
+
 std::unique_ptr<Drag> SelectTool::beginDrag(ToolContext& context, const PointerEvent& press) {
   m_lastClick.reset();
+  m_corner.reset();
+  if (!press.modifiers.alt && !press.modifiers.shift) {
+    if (const auto grip = gripAt(context, m_kind, press.pixel)) return dragGrip(context, press, *grip);
+  }
   const std::vector<Hit> hits = context.hits(press.pixel);
   if (hits.empty()) {
     const bool grabsAnywhere = m_kind != SelectKind::Select && !context.selection.empty() && !press.modifiers.any();
     if (grabsAnywhere) return transform(context, press, nullptr);
     return std::make_unique<BoxDrag>(context, press);
   }
-  // Of several things at one place the selected one is meant.
-  const auto selected =
-      std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) { return context.selection.contains(hit.id); });
+  // Of several things at one place the selected one is meant, but with the select tool no handle hides behind a line
+  // or an outline.
+  const auto isHandle = [](const Hit& hit) { return hit.kind == ObjectKind::Point || hit.kind == ObjectKind::Probe; };
+  const auto selected = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) {
+    return context.selection.contains(hit.id) &&
+           (m_kind != SelectKind::Select || isHandle(hit) || !isHandle(hits.front()));
+  });
   const Hit grabbed = selected != hits.end() ? *selected : hits.front();
   if (selected == hits.end()) {
     select(context.selection, std::span(&grabbed.id, 1), press.modifiers.shift ? SelectMode::Add : SelectMode::Replace);

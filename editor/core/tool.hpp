@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "editor/core/brush_strokes.hpp"
 #include "editor/core/camera_control.hpp"
 #include "editor/core/document.hpp"
 #include "editor/core/picking.hpp"
@@ -25,6 +26,7 @@ struct PointerEvent {
   Modifiers modifiers;
   PointerButton button = PointerButton::Left;  ///< presses and releases only
   int clicks = 1;                              ///< 2 for a double click
+  double seconds = 0;                          ///< by the clock of ToolContext; set by ToolBox
 };
 
 /// Snapping of new and moved things.
@@ -39,8 +41,9 @@ struct SnapSettings {
 /// What new things are made with; the last used values stay.
 struct ToolSettings {
   Arrow newArrow;        ///< strength, radius, drive, where, ... ; ids are ignored
-  Obstacle newObstacle;  ///< shape, height
+  Obstacle newObstacle;  ///< shape of drags (circle or box), height
   Probe newProbe;
+  BrushSettings brush;
   float newSwirlMps = 6.0f;  ///< of new whirls; positive from +X towards +Z
   SnapSettings snap;
   float hitRadiusPx = kHitRadiusPx;  ///< times the interface scale
@@ -53,6 +56,8 @@ struct ToolContext {
   ToolSettings& settings;
   ViewMapping view;
   const Ground& ground;
+  BrushStrokes* strokes = nullptr;  ///< where the brush leaves its strokes; null: nowhere
+  double seconds = 0;               ///< a clock of real time, for the speed of the pointer
 
   [[nodiscard]] std::optional<glm::vec2> groundAt(glm::vec2 pixel) const { return view.toGround(pixel, ground); }
   [[nodiscard]] std::vector<Hit> hits(glm::vec2 pixel, PickOptions options = {}) const;
@@ -96,12 +101,18 @@ class Tool {
   /// The pointer left the press by more than the drag threshold. Null: this drag means nothing.
   virtual std::unique_ptr<Drag> beginDrag(ToolContext&, const PointerEvent& press) = 0;
   virtual void onHover(ToolContext&, const PointerEvent&) {}
+  /// The pointer left the viewport, or a drag begins.
+  virtual void hoverEnded() {}
+  /// True where the pointer is on a handle of the tool's own, so that no object is meant.
+  [[nodiscard]] virtual bool overGrip() const { return false; }
   virtual bool onKey(ToolContext&, const KeyPress&) { return false; }
   virtual bool onWheel(ToolContext&, float /*notches*/, Modifiers) { return false; }
   /// A gesture of several clicks is under way (keys go to the tool first, right click ends it).
   [[nodiscard]] virtual bool busy() const { return false; }
-  /// Ends such a gesture. What was committed stays.
+  /// Gives such a gesture up. What was committed stays.
   virtual void cancel(ToolContext&) {}
+  /// Ends it with what there is: a right click.
+  virtual void finish(ToolContext& context) { cancel(context); }
   virtual void shapes(const ToolContext&, PreviewShapes&) const {}
 
   /// A message for the status bar (a refused edit), taken once.

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "editor/core/brush_tool.hpp"
 #include "editor/core/draw_tool.hpp"
+#include "editor/core/obstacle_tool.hpp"
 #include "editor/core/place_tools.hpp"
 #include "editor/core/refusal.hpp"
 #include "editor/core/select_tool.hpp"
@@ -18,6 +20,7 @@ ToolBox::ToolBox() {
   add(std::make_unique<DrawTool>());
   add(std::make_unique<ObstacleTool>());
   add(std::make_unique<VortexTool>());
+  add(std::make_unique<BrushTool>());
   add(std::make_unique<ProbeTool>());
   add(std::make_unique<DeleteTool>());
 }
@@ -35,7 +38,7 @@ bool ToolBox::activate(ToolContext& context, std::string_view id) {
 }
 
 bool ToolBox::press(ToolContext& context, const PointerEvent& pointer) {
-  if (pointer.button != PointerButton::Left) return cancel(context);
+  if (pointer.button != PointerButton::Left) return finish(context);
   if (m_drag) {
     if (m_free) {
       updateDrag(context, pointer);
@@ -45,6 +48,7 @@ bool ToolBox::press(ToolContext& context, const PointerEvent& pointer) {
   }
   m_pressed = true;
   m_press = m_last = pointer;
+  m_press.seconds = context.seconds;
   return true;
 }
 
@@ -57,13 +61,13 @@ bool ToolBox::move(ToolContext& context, const PointerEvent& pointer) {
   }
   if (!m_pressed) {
     const std::vector<Hit> hits = context.hits(pointer.pixel);
-    m_hovered = hits.empty() ? 0 : hits.front().id;
     active().onHover(context, pointer);
+    m_hovered = hits.empty() || active().overGrip() ? 0 : hits.front().id;
     return false;
   }
   if (glm::distance(m_press.pixel, pointer.pixel) <= kDragThresholdPx) return true;
   m_pressed = false;
-  m_hovered = 0;
+  clearHover();
   m_drag = active().beginDrag(context, m_press);
   if (m_drag) updateDrag(context, m_last);
   return true;
@@ -118,6 +122,18 @@ bool ToolBox::cancel(ToolContext& context) {
   m_pressed = false;
   if (active().busy()) active().cancel(context);
   return wasBusy;
+}
+
+bool ToolBox::finish(ToolContext& context) {
+  if (m_drag || !active().busy()) return cancel(context);
+  m_pressed = false;
+  active().finish(context);
+  return true;
+}
+
+void ToolBox::clearHover() {
+  m_hovered = 0;
+  active().hoverEnded();
 }
 
 void ToolBox::updateDrag(ToolContext& context, const PointerEvent& pointer) {

@@ -15,7 +15,7 @@ inline constexpr float kDragThresholdPx = 3.0f;
 
 class ToolBox {
  public:
-  /// With the core tools: select, move, rotate, scale, draw, obstacle, vortex, probe, delete.
+  /// With the core tools: select, move, rotate, scale, draw, obstacle, vortex, brush, probe, delete.
   ToolBox();
 
   void add(std::unique_ptr<Tool> tool);
@@ -25,7 +25,7 @@ class ToolBox {
   /// Cancels what is under way and changes the tool. False: no such tool.
   bool activate(ToolContext& context, std::string_view id);
 
-  // Events; each is true where it was used. Only the left button reaches tools; any other button pressed
+  // Events; each is true where it was used. Only the left button reaches tools; the right one pressed
   // during a gesture cancels a drag or ends a chain, and is then used up.
   bool press(ToolContext& context, const PointerEvent& pointer);
   bool move(ToolContext& context, const PointerEvent& pointer);
@@ -36,6 +36,8 @@ class ToolBox {
   void startDrag(ToolContext& context, std::unique_ptr<Drag> drag, const PointerEvent& pointer);
   /// Focus loss, tool change, Esc. True where something was under way.
   bool cancel(ToolContext& context);
+  /// A right click: cancels a drag, ends a gesture of several clicks with what there is.
+  bool finish(ToolContext& context);
 
   /// A button is held, or a gesture of several clicks is under way.
   [[nodiscard]] bool busy() const { return m_pressed || m_drag || active().busy(); }
@@ -43,7 +45,7 @@ class ToolBox {
 
   /// What lies under the pointer, 0: nothing. For the hover highlight.
   [[nodiscard]] Id hovered() const { return m_hovered; }
-  void clearHover() { m_hovered = 0; }
+  void clearHover();
 
   [[nodiscard]] PreviewShapes shapes(const ToolContext& context) const;
   [[nodiscard]] std::string hint(const ToolContext& context) const;

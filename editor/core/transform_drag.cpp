@@ -16,15 +16,26 @@ float angleOf(glm::vec2 way) {
 }
 }  // namespace
 
-TransformDrag::TransformDrag(const ToolContext& context, TransformKind kind, glm::vec2 pivot, glm::vec2 pressed)
+TransformDrag::TransformDrag(const ToolContext& context, TransformKind kind, glm::vec2 pivot, glm::vec2 pressed,
+                             AxisLock lock)
     : m_kind(kind),
       m_pivot(pivot),
       m_pressed(pressed),
       m_place(pressed),
-      m_ids(context.selection.ids().begin(), context.selection.ids().end()) {}
+      m_ids(context.selection.ids().begin(), context.selection.ids().end()),
+      m_lock(lock) {}
+
+/// How much farther from the pivot the pointer is now; along the axis where one is locked and the press was off it.
+float TransformDrag::ratio() const {
+  const glm::vec2 before = m_pressed - m_pivot, now = m_place - m_pivot;
+  const glm::vec2 axis = axisOf(m_lock);
+  const float along = glm::dot(before, axis);
+  if (std::abs(along) > 0.1f * glm::length(before) && std::abs(along) > 1e-3f) return glm::dot(now, axis) / along;
+  return glm::length(now) / std::max(glm::length(before), 1e-3f);
+}
 
 std::optional<Edit> TransformDrag::make(const ToolContext& context) const {
-  if (m_degrees == 0.0f && m_scale == 1.0f) return std::nullopt;
+  if (m_degrees == 0.0f && m_scale == glm::vec2(1.0f)) return std::nullopt;
   return transformEdit(context.document.committed(), m_ids, m_pivot, m_degrees, m_scale);
 }
 
@@ -37,8 +48,8 @@ std::optional<Edit> TransformDrag::update(ToolContext& context, const PointerEve
     const float turned = std::remainder(angleOf(now) - angleOf(before), 360.0f);
     m_degrees = typed ? *typed : snapAngle(context.settings.snap, turned, pointer.modifiers);
   } else {
-    const float ratio = glm::length(now) / std::max(glm::length(before), 1e-3f);
-    m_scale = std::clamp(typed ? *typed : ratio, kMinScale, kMaxScale);
+    const float factor = std::clamp(typed ? *typed : ratio(), kMinScale, kMaxScale);
+    m_scale = {m_lock == AxisLock::Z ? 1.0f : factor, m_lock == AxisLock::X ? 1.0f : factor};
   }
   return make(context);
 }
@@ -52,13 +63,17 @@ bool TransformDrag::onKey(ToolContext&, const KeyPress& press) {
     m_finished = true;
     return true;
   }
-  return m_number.onKey(press);
+  // A turn on the ground has one axis only.
+  return (m_kind == TransformKind::Scale && toggleLock(m_lock, press)) || m_number.onKey(press);
 }
 
 void TransformDrag::shapes(const ToolContext& context, PreviewShapes& shapes) const {
+  addLockLine(shapes, context.ground, m_lock, m_pivot);
   shapes.dots.push_back({context.ground.lift(m_pivot), ShapeRole::Guide});
   shapes.lines.push_back({context.ground.lift(m_pivot), context.ground.lift(m_place), ShapeRole::Guide});
-  const double value = static_cast<double>(m_kind == TransformKind::Rotate ? m_degrees : m_scale);
+  const double value = static_cast<double>(m_kind == TransformKind::Rotate ? m_degrees
+                                           : m_lock == AxisLock::Z         ? m_scale.y
+                                                                           : m_scale.x);
   std::string text = m_number.empty() ? fixed(value, m_kind == TransformKind::Rotate ? 1 : 3) : m_number.text();
   text += m_kind == TransformKind::Rotate ? " deg" : " x";
   shapes.labels.push_back({m_pixel + glm::vec2(16.0f, 16.0f), std::move(text)});
@@ -66,7 +81,7 @@ void TransformDrag::shapes(const ToolContext& context, PreviewShapes& shapes) co
 
 std::string TransformDrag::hint(const ToolContext&) const {
   return m_kind == TransformKind::Rotate ? "Type an angle in degrees + Enter, Ctrl snaps the angle, Esc cancels"
-                                         : "Type a factor + Enter, Esc cancels";
+                                         : "X or Z locks the axis, type a factor + Enter, Esc cancels";
 }
 
 }  // namespace windloom::editor

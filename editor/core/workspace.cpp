@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/core/project_cameras.hpp"
 #include "editor/core/refusal.hpp"
 
 namespace windloom::editor {
@@ -13,22 +14,31 @@ Workspace::Workspace() {
     terrainLoad.cancel();
     followGround();
     selection.clear();
+    strokes.clear();
+    m_lookedThrough = 0;
     tools.clearHover();
-    frame({});
+    if (const Camera* opening = openingCamera(document.project())) {
+      lookAs(opening->id);
+    } else {
+      frame({});
+    }
   };
   flow.onFileUsed = [this](const std::filesystem::path& path) { preferences.usedFile(path); };
   registerCoreActions(*this);
 }
 
 ToolContext Workspace::context() {
-  return {document, selection, toolSettings, view(), ground};
+  return {document, selection, toolSettings, view(), ground, &strokes, m_seconds};
 }
 
 bool Workspace::pointerPressed(const PointerEvent& pointer) {
   m_pointer = pointer.pixel;
   ToolContext tool = context();
-  if (tools.busy() && pointer.button != PointerButton::Left) {
-    tools.cancel(tool);
+  // The view can be turned between the clicks of a gesture, not during a drag.
+  const bool turnsView = pointer.button == PointerButton::Middle && !tools.dragging();
+  if (tools.busy() && pointer.button != PointerButton::Left && !turnsView) {
+    tools.finish(tool);
+    afterChange();
     return true;
   }
   // Alt+drag copies what it grabs and orbits elsewhere.
@@ -81,7 +91,7 @@ bool Workspace::keyPressed(const KeyPress& press) {
     return true;
   }
   if (!press.modifiers.ctrl && navigator.key(press.key, true)) return true;
-  if (!press.modifiers.any() && tools.active().onKey(tool, press)) {
+  if (!press.modifiers.ctrl && !press.modifiers.alt && tools.active().onKey(tool, press)) {
     afterChange();
     return true;
   }
@@ -102,6 +112,7 @@ void Workspace::focusLost() {
 void Workspace::tick(double seconds, Modifiers held) {
   takeTerrain();
   followGround();
+  m_seconds += seconds;
   navigator.tick(camera, seconds, held);
   keepEyeAboveGround();
 }
@@ -198,6 +209,13 @@ void Workspace::writeClipboardText(const std::string& text) {
 
 std::string Workspace::clipboardText() const {
   return readClipboard ? readClipboard() : m_clipboard;
+}
+
+void Workspace::lookAs(Id id) {
+  const Camera* seen = findCamera(document.project(), id);
+  if (!seen) return;
+  camera = lookThrough(camera, *seen);
+  m_lookedThrough = id;
 }
 
 void Workspace::frame(std::span<const Id> ids) {

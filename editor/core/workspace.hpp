@@ -37,7 +37,8 @@ class Workspace {
   Navigator navigator;
   ToolBox tools;
   ToolSettings toolSettings;
-  ActionTable actions;  ///< core actions are in it; the app adds its own
+  BrushStrokes strokes;  ///< of the wind brush; the app gives them to the session and ages them by its time
+  ActionTable actions;   ///< core actions are in it; the app adds its own
   DocumentFlow flow{document};
   Preferences preferences;
   Ground ground;  ///< follows the document's terrain
@@ -59,7 +60,7 @@ class Workspace {
   bool keyPressed(const KeyPress& press);
   void keyReleased(Key key);
   void focusLost();
-  /// Once a frame: flying, and the terrain that was read meanwhile.
+  /// Once a frame: flying, the terrain that was read meanwhile, and the clock that the brush measures speeds by.
   void tick(double seconds, Modifiers held);
 
   /// The one way panels change the project: applies, tells refusals in the status line. True where applied.
@@ -85,6 +86,10 @@ class Workspace {
   [[nodiscard]] glm::vec2 pointer() const { return m_pointer; }
   /// Shows the ids, or everything that the project has and else its field.
   void frame(std::span<const Id> ids);
+  /// The view of a camera of the project; nothing for other ids.
+  void lookAs(Id id);
+  /// The camera last looked through, 0: none.
+  [[nodiscard]] Id lookedThrough() const { return m_lookedThrough; }
 
   /// Through the callbacks, or within the editor where there are none.
   void writeClipboardText(const std::string& text);
@@ -100,7 +105,9 @@ class Workspace {
   Message m_message;
   std::uint64_t m_messageNumber = 0;
   glm::vec2 m_pointer{0.0f};
+  double m_seconds = 0;  // of real time, counted by tick
   std::string m_clipboard;
+  Id m_lookedThrough = 0;
 };
 
 /// Adds file, edit, select, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
@@ -108,8 +115,10 @@ class Workspace {
 /// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked; graph.extrude
 /// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
 /// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
-/// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.probe tool.delete tool.cancel;
-/// view.frame view.frame_all view.top view.front view.side view.orthographic; grass.instanced grass.none; snap.grid snap.angle snap.points.
+/// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.brush tool.probe tool.delete
+/// tool.cancel;
+/// view.frame view.frame_all view.top view.front view.side view.orthographic view.camera_next view.camera_store;
+/// grass.instanced grass.none; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

@@ -5,6 +5,7 @@
 
 #include "editor/core/inspector.hpp"
 #include "editor/core/object_kind.hpp"
+#include "editor/panels/tool_options.hpp"
 #include "editor/widgets/look.hpp"
 #include "editor/widgets/parameter_row.hpp"
 #include "engine/wind/solver_presets.hpp"
@@ -169,9 +170,10 @@ void InspectorPanel::draw(PanelContext& context, ExportPanel& exporter) {
   if (exporter.takeShow()) m_tab = kExportTab;
   drawTabs(m_tab);
   ImGui::BeginChild(kTabs[m_tab].label);
-  if (m_tab == kSelectionTab)
+  if (m_tab == kSelectionTab) {
+    drawToolOptions(context);
     drawSelection(context);
-  else if (m_tab == kExportTab)
+  } else if (m_tab == kExportTab)
     exporter.draw(context);
   else
     drawSettings(context, *kTabs[m_tab].settings, m_terrain);

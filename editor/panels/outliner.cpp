@@ -3,9 +3,13 @@
 #include <imgui_internal.h>
 
 #include <algorithm>
+#include <cfloat>
+#include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "editor/core/graph_edits.hpp"
+#include "editor/core/object_kind.hpp"
 #include "editor/widgets/icons.hpp"
 #include "editor/widgets/number_field.hpp"
 
@@ -22,6 +26,30 @@ std::unordered_map<Id, std::vector<std::size_t>> leaving(const WindGraph& graph)
   std::unordered_map<Id, std::vector<std::size_t>> map;
   for (std::size_t i = 0; i < graph.arrows.size(); ++i) map[graph.arrows[i].from].push_back(i);
   return map;
+}
+
+const char* symbolOf(ObstacleShape shape) {
+  switch (shape) {
+    case ObstacleShape::Circle:
+      return icons::icon(icons::kObstacle, "o");
+    case ObstacleShape::Box:
+      return icons::icon(icons::kBox, "#");
+    case ObstacleShape::Polygon:
+      break;
+  }
+  return icons::icon(icons::kPolygon, "<>");
+}
+
+// Groups of rows that no point's id can be.
+constexpr Id kTrees = 0xfffffff1u, kObstacles = 0xfffffff2u, kProbes = 0xfffffff3u;
+
+/// Roots in the order of the list of points: that is what dragging changes.
+std::vector<Id> rootsInOrder(const WindGraph& graph) {
+  const std::vector<Id> sorted = findRoots(graph);
+  std::vector<Id> roots;
+  for (const Point& point : graph.points)
+    if (std::ranges::binary_search(sorted, point.id)) roots.push_back(point.id);
+  return roots;
 }
 
 }  // namespace
@@ -54,39 +82,44 @@ void Outliner::addTrees(const Project& project) {
   for (const Point& point : graph.points) points[point.id] = &point;
   std::vector<bool> listed(graph.arrows.size(), false);
 
-  for (const Id root : findRoots(graph)) {
+  for (const Id root : rootsInOrder(graph)) {
     const std::size_t head = m_rows.size();
     m_rows.push_back({.kind = Row::Kind::Tree,
                       .id = root,
+                      .tree = root,
+                      .group = kTrees,
                       .symbol = icons::icon(icons::kDraw, "T"),
                       .label = named(points[root]->name, "Tree", root),
                       .name = points[root]->name});
     Row tree = m_rows.back();
     tree.hidden = tree.muted = tree.locked = true;
     // Depth first, each arrow once: where flows merge it stands under the branch that comes first.
-    std::vector<std::pair<Id, int>> open{{root, 1}};
-    while (!open.empty()) {
-      const auto [point, depth] = open.back();
-      open.pop_back();
+    std::vector<std::pair<std::size_t, int>> open;
+    const auto openFrom = [&](Id point, int depth) {
       const auto found = from.find(point);
-      if (found == from.end()) continue;
+      if (found == from.end()) return;
+      for (auto i = found->second.rbegin(); i != found->second.rend(); ++i) open.emplace_back(*i, depth);
+    };
+    openFrom(root, 1);
+    while (!open.empty()) {
+      const auto [index, depth] = open.back();
+      open.pop_back();
+      if (listed[index]) continue;
+      listed[index] = true;
+      const Arrow& arrow = graph.arrows[index];
+      tree.members.push_back(arrow.id);
+      tree.hidden = tree.hidden && arrow.hidden;
+      tree.muted = tree.muted && arrow.muted;
+      tree.locked = tree.locked && arrow.locked;
       // Only branching indents: a long chain stays readable.
-      const int below = found->second.size() > 1 ? depth + 1 : depth;
-      for (const std::size_t index : found->second) {
-        if (listed[index]) continue;
-        listed[index] = true;
-        const Arrow& arrow = graph.arrows[index];
-        tree.members.push_back(arrow.id);
-        tree.hidden = tree.hidden && arrow.hidden;
-        tree.muted = tree.muted && arrow.muted;
-        tree.locked = tree.locked && arrow.locked;
-        open.emplace_back(arrow.to, below);
-        if (m_closed.contains(root)) continue;
-        Row row = itemRow(arrow, "Arrow", icons::icon(icons::kArrow, "->"));
-        row.depth = depth;
-        row.muted = arrow.muted;
-        m_rows.push_back(std::move(row));
-      }
+      openFrom(arrow.to, from.at(arrow.from).size() > 1 ? depth + 1 : depth);
+      if (m_closed.contains(root)) continue;
+      Row row = itemRow(arrow, "Arrow", icons::icon(icons::kArrow, "->"));
+      row.depth = depth;
+      row.muted = arrow.muted;
+      row.tree = root;
+      row.group = arrow.from;
+      m_rows.push_back(std::move(row));
     }
     m_rows[head] = std::move(tree);
   }
@@ -99,14 +132,16 @@ void Outliner::rebuild(const Project& project) {
   addTrees(project);
   if (!project.obstacles->empty()) heading("Obstacles");
   for (const Obstacle& o : *project.obstacles) {
-    Row row = itemRow(o, "Obstacle", icons::icon(icons::kObstacle, "o"));
+    Row row = itemRow(o, "Obstacle", symbolOf(o.shape));
     row.muted = o.muted;
+    row.group = kObstacles;
     m_rows.push_back(std::move(row));
   }
   if (!project.probes->empty()) heading("Probes");
   for (const Probe& p : *project.probes) {
     Row row = itemRow(p, "Probe", icons::icon(icons::kProbe, "+"));
     row.canMute = false;
+    row.group = kProbes;
     m_rows.push_back(std::move(row));
   }
 }
@@ -140,8 +175,11 @@ void Outliner::drawName(PanelContext& context, const Row& row, float width) {
   const bool selected = context.workspace.selection.contains(row.id);
   const bool dimmed = row.hidden || row.muted;
   ImGui::PushStyleColor(ImGuiCol_Text, dimmed ? look().palette.muted : look().palette.text);
-  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick, {width, 0}))
+  if (ImGui::Selectable(label.c_str(), selected, ImGuiSelectableFlags_AllowDoubleClick, {width, 0}) && !m_drag &&
+      !m_dragOver)
     click(context, row);
+  if (!m_drag && !m_dragOver && ImGui::IsItemActive() && ImGui::IsMouseDragging(ImGuiMouseButton_Left, scaled(5)))
+    beginDrag(context, row);
   ImGui::PopStyleColor();
   markItem("outliner/" + std::to_string(row.id));
 }
@@ -215,13 +253,92 @@ void Outliner::drawRow(PanelContext& context, const Row& row) {
   ImGui::PopID();
 }
 
+bool Outliner::rename(const Project& project, Id id) {
+  const Arrow* arrow = findArrow(*project.graph, id);
+  const bool root = std::ranges::binary_search(findRoots(*project.graph), id);
+  if (!arrow && !root && findPoint(*project.graph, id)) return false;
+  m_renaming = m_show = id;
+  m_focusName = true;
+  if (arrow) m_closed.clear();
+  m_graph = nullptr;  // rows are made again, with its tree open
+  return true;
+}
+
+bool Outliner::cancelDrag() {
+  m_dragOver = m_drag.has_value();
+  m_drag.reset();
+  return m_dragOver;
+}
+
+/// With a selected row go the selected ones of its group.
+void Outliner::beginDrag(const PanelContext& context, const Row& row) {
+  m_drag = RowDrag{row.group, {}};
+  const Selection& selection = context.workspace.selection;
+  for (const Row& other : m_rows) {
+    const bool along = selection.contains(row.id) && selection.contains(other.id) && other.group == row.group;
+    if (other.kind != Row::Kind::Heading && (other.id == row.id || along)) m_drag->ids.push_back(other.id);
+  }
+}
+
+/// A line where the rows would come to stand; the drop is one edit.
+void Outliner::followDrag(PanelContext& context, float top, float rowHeight) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const ImVec2 low = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+  const float edge = rowHeight, speed = 12 * rowHeight * io.DeltaTime;
+  if (io.MousePos.y < low.y + edge) ImGui::SetScrollY(ImGui::GetScrollY() - speed);
+  if (io.MousePos.y > low.y + size.y - edge) ImGui::SetScrollY(ImGui::GetScrollY() + speed);
+  float nearest = FLT_MAX, line = 0;
+  Id before = 0;
+  const auto consider = [&](std::size_t row, Id id) {
+    const float y = top + float(row) * rowHeight;
+    if (std::abs(y - io.MousePos.y) >= nearest) return;
+    nearest = std::abs(y - io.MousePos.y);
+    line = y;
+    before = id;
+  };
+  std::size_t end = 0;  // behind the last row of the group and what stands under it
+  for (std::size_t i = 0; i < m_rows.size(); ++i) {
+    const Row& row = m_rows[i];
+    const bool ours = row.kind != Row::Kind::Heading && row.group == m_drag->group;
+    if (ours) consider(i, row.id);
+    if (ours || (end == i && end > 0 && m_drag->group == kTrees && row.tree != 0)) end = i + 1;
+  }
+  consider(end, 0);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddLine({low.x + scaled(4), line}, {low.x + size.x - scaled(4), line}, packed(look().palette.accent), scaled(2));
+  ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeNS);
+  if (!ImGui::IsMouseReleased(ImGuiMouseButton_Left)) {
+    if (!io.MouseDown[0]) m_drag.reset();
+    return;
+  }
+  context.workspace.apply(reorderEdit(context.workspace.document.committed(), m_drag->ids, before));
+  context.workspace.document.seal();
+  m_drag.reset();
+}
+
+/// Scrolls to a row that was asked for.
+void Outliner::showRow(const Project& project) {
+  if (m_show == 0 || !kindOf(project, m_show)) return;
+  const auto row = std::ranges::find(m_rows, m_show, &Row::id);
+  const float y = float(row - m_rows.begin()) * ImGui::GetTextLineHeightWithSpacing();
+  const float high = ImGui::GetWindowHeight();
+  if (row != m_rows.end() && (y < ImGui::GetScrollY() || y > ImGui::GetScrollY() + high - 2 * ImGui::GetFrameHeight()))
+    ImGui::SetScrollY(std::max(0.0f, y - 0.5f * high));
+  m_show = 0;
+}
+
 void Outliner::draw(PanelContext& context) {
   if (takeChanges(context.project())) rebuild(context.project());
   ImGui::BeginChild("outliner");
+  showRow(context.project());
+  const float top = ImGui::GetCursorScreenPos().y;
   ImGuiListClipper clipper;
   clipper.Begin(int(m_rows.size()));
   while (clipper.Step())
     for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) drawRow(context, m_rows[std::size_t(i)]);
+  // The button is still held after a cancel: that is no new drag.
+  m_dragOver = m_dragOver && ImGui::GetIO().MouseDown[0];
+  if (m_drag) followDrag(context, top, clipper.ItemsHeight);
   if (m_rows.size() <= 1) ImGui::TextDisabled("None yet: press D and draw one.");
   ImGui::EndChild();
 }

@@ -1,7 +1,9 @@
 #pragma once
 // Everything in the project by name: wind trees with their arrows, obstacles, probes. Eye shows and hides, speaker
-// mutes, lock keeps from picking; double click renames.
+// mutes, lock keeps from picking; double click or F2 renames; dragging changes the order of trees, of arrows that leave
+// the same point, of obstacles and probes.
 
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -13,12 +15,18 @@ namespace windloom::editor {
 class Outliner {
  public:
   void draw(PanelContext& context);
+  /// Opens the name of a row for typing. False: there is no row for this id.
+  bool rename(const Project& project, Id id);
+  /// Esc, focus loss. True where a row was being dragged.
+  bool cancelDrag();
 
  private:
   struct Row {
     enum class Kind { Heading, Tree, Item };
     Kind kind = Kind::Heading;
     Id id = 0;
+    Id tree = 0;   ///< the root whose tree it stands under
+    Id group = 0;  ///< rows change places only within their group: kOrder..., or for arrows the point they leave
     int depth = 0;
     const char* symbol = "";
     std::string label = {}, name = {};
@@ -35,7 +43,17 @@ class Outliner {
   void drawName(PanelContext& context, const Row& row, float width);
   void drawFlags(PanelContext& context, const Row& row);
   void click(PanelContext& context, const Row& row);
+  void beginDrag(const PanelContext& context, const Row& row);
+  void followDrag(PanelContext& context, float top, float rowHeight);
+  void showRow(const Project& project);
 
+  /// Rows on their way to another place.
+  struct RowDrag {
+    Id group = 0;
+    std::vector<Id> ids;
+  };
+  std::optional<RowDrag> m_drag;
+  bool m_dragOver = false;  // cancelled, with the button still held
   std::vector<Row> m_rows;
   std::set<Id> m_closed;  // trees shown without their arrows
   Shared<WindGraph> m_graph;
@@ -43,6 +61,7 @@ class Outliner {
   Shared<std::vector<Probe>> m_probes;
   Id m_renaming = 0;
   bool m_focusName = false;
+  Id m_show = 0;  // a row to scroll to
 };
 
 }  // namespace windloom::editor

@@ -9,6 +9,7 @@
 
 #include "editor/core/object_kind.hpp"
 #include "editor/widgets/look.hpp"
+#include "engine/model/outline.hpp"
 
 namespace windloom::editor {
 
@@ -80,13 +81,9 @@ class GroundBrush {
                              {neck.x - side.x * head * 0.45f, neck.y - side.y * head * 0.45f}, colour);
   }
 
-  void box(const Obstacle& o, ImU32 colour, float width) const {
-    const float angle = glm::radians(o.rotation);
-    const glm::vec2 u{std::cos(angle), std::sin(angle)}, v{-u.y, u.x};
-    const glm::vec2 half = o.size * 0.5f;
-    const glm::vec2 corners[] = {o.centre + u * half.x + v * half.y, o.centre - u * half.x + v * half.y,
-                                 o.centre - u * half.x - v * half.y, o.centre + u * half.x - v * half.y};
-    for (int i = 0; i < 4; ++i) shaft(corners[i], corners[(i + 1) % 4], colour, width);
+  void outline(const Obstacle& o, ImU32 colour, float width) const {
+    const std::vector<glm::vec2> corners = outlineOf(o);
+    for (std::size_t i = 0; i < corners.size(); ++i) shaft(corners[i], corners[(i + 1) % corners.size()], colour, width);
   }
 
   ImDrawList& list() const { return m_list; }
@@ -180,10 +177,7 @@ void drawObstacles(const GroundBrush& brush, const Project& project, const Marks
     if (!withOutlines && !selected && !hovered) continue;
     const ImVec4 plain{0.9f, 0.85f, 0.75f, 0.9f};
     const ImU32 colour = packed(selected ? palette.accent : plain);
-    if (o.shape == ObstacleShape::Circle)
-      brush.ring(brush.ground().lift(o.centre), o.radius, colour, scaled(2));
-    else
-      brush.box(o, colour, scaled(2));
+    brush.outline(o, colour, scaled(2));
   }
 }
 
@@ -224,6 +218,32 @@ ImU32 roleColour(ShapeRole role) {
   return IM_COL32_WHITE;
 }
 
+void drawGrip(const GroundBrush& brush, const PreviewShapes::Grip& grip) {
+  const auto at = brush.screen(grip.at);
+  if (!at) return;
+  name(brush, grip.name, *at);
+  ImDrawList& list = brush.list();
+  const ImU32 dark = IM_COL32(10, 12, 14, 200);
+  const ImU32 colour = grip.hot ? packed(look().palette.accent) : roleColour(grip.role);
+  const float side = scaled(grip.hot ? 6.0f : 5.0f);
+  if (grip.form == PreviewShapes::GripForm::Round) {
+    list.AddCircleFilled(*at, side + scaled(1.5f), dark);
+    list.AddCircleFilled(*at, side, colour);
+  } else if (grip.form == PreviewShapes::GripForm::Square) {
+    const float outer = side + scaled(1.5f);
+    list.AddRectFilled({at->x - outer, at->y - outer}, {at->x + outer, at->y + outer}, dark);
+    list.AddRectFilled({at->x - side, at->y - side}, {at->x + side, at->y + side}, colour);
+  } else if (const auto from = brush.screen(grip.from)) {
+    const float dx = at->x - from->x, dy = at->y - from->y, length = std::max(1.0f, std::hypot(dx, dy));
+    const ImVec2 along{dx / length, dy / length}, across{-along.y, along.x};
+    const float head = scaled(grip.hot ? 15.0f : 13.0f), wide = 0.45f * head;
+    list.AddTriangleFilled(
+        {at->x + along.x * head * 0.6f, at->y + along.y * head * 0.6f},
+        {at->x - along.x * head * 0.4f + across.x * wide, at->y - along.y * head * 0.4f + across.y * wide},
+        {at->x - along.x * head * 0.4f - across.x * wide, at->y - along.y * head * 0.4f - across.y * wide}, colour);
+  }
+}
+
 }  // namespace
 
 void drawHandles(const ViewArea& area, const Workspace& workspace, bool withArrows) {
@@ -240,8 +260,10 @@ void drawHandles(const ViewArea& area, const Workspace& workspace, bool withArro
 void drawPreview(const ViewArea& area, const Workspace& workspace, const PreviewShapes& shapes) {
   const GroundBrush brush(area, workspace);
   ImDrawList& list = brush.list();
-  for (const auto& disc : shapes.discs) brush.ring(disc.centre, disc.radius, roleColour(disc.role), scaled(1.5f));
-  for (const auto& line : shapes.lines) brush.line(line.a, line.b, roleColour(line.role), scaled(1.5f));
+  for (const auto& disc : shapes.discs)
+    brush.ring(disc.centre, disc.radius, roleColour(disc.role), scaled(disc.bold ? 2.5f : 1.5f));
+  for (const auto& line : shapes.lines)
+    brush.line(line.a, line.b, roleColour(line.role), scaled(line.bold ? 2.5f : 1.5f));
   for (const auto& arrow : shapes.arrows) {
     brush.arrow(arrow.from, arrow.to, roleColour(arrow.role), scaled(3));
     brush.ring(arrow.to, arrow.radius, packed({1, 1, 1, 0.35f}), scaled(1));
@@ -251,6 +273,7 @@ void drawPreview(const ViewArea& area, const Workspace& workspace, const Preview
       list.AddCircleFilled(*at, scaled(kPointRadius + 1), IM_COL32(10, 12, 14, 190));
       list.AddCircleFilled(*at, scaled(kPointRadius), roleColour(dot.role));
     }
+  for (const auto& grip : shapes.grips) drawGrip(brush, grip);
   for (const auto& box : shapes.rectangles) {
     list.AddRectFilled(area.at(box.low), area.at(box.high), packed(look().palette.accent, 0.15f));
     list.AddRect(area.at(box.low), area.at(box.high), packed(look().palette.accent), 0, 0, scaled(1));

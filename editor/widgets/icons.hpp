@@ -46,6 +46,10 @@ inline constexpr const char* kInfo = "\xef\x81\x9a";         // f05a info-circle
 inline constexpr const char* kError = "\xef\x81\x97";        // f057 times-circle
 inline constexpr const char* kPoint = "\xef\x86\x92";        // f192 dot-circle-o
 inline constexpr const char* kLoop = "\xef\x81\xb9";         // f079 retweet
+inline constexpr const char* kBox = "\xef\x83\x88";         // f0c8 square
+inline constexpr const char* kPolygon = "\xef\x88\x99";     // f219 diamond
+inline constexpr const char* kVortex = "\xef\x87\x8e";      // f1ce circle-o-notch
+inline constexpr const char* kBrush = "\xef\x87\xbc";       // f1fc paint-brush
 
 /// `symbol`, or `text` where the icon font is missing.
 inline const char* icon(const char* symbol, const char* text) {

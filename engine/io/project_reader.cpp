@@ -9,6 +9,7 @@
 #include "engine/io/project_migration.hpp"
 #include "engine/io/project_records.hpp"
 #include "engine/io/terrain_file.hpp"
+#include "engine/model/outline.hpp"
 #include "engine/model/parameters.hpp"
 #include "engine/model/signal_curve.hpp"
 #include "engine/model/validate.hpp"
@@ -206,8 +207,8 @@ class Reader {
   Record readRecord(const JsonDocument& value, const Place& place) {
     Record record;
     if (!expectObject(value, place)) return record;
-    constexpr bool isSignal = std::is_same_v<Record, Signal>;
-    record.extra = textOf(readMembers(value, record, place, {}, isSignal ? "keys" : ""));
+    constexpr bool isSignal = std::is_same_v<Record, Signal>, isObstacle = std::is_same_v<Record, Obstacle>;
+    record.extra = textOf(readMembers(value, record, place, {}, isSignal ? "keys" : isObstacle ? "points" : ""));
     for (const std::string_view key : kRequiredKeys<Record>) {
       if (value.contains(key)) continue;
       const auto table = parametersOf<Record>();
@@ -216,6 +217,10 @@ class Reader {
     }
     if constexpr (isSignal) {
       if (const auto keys = value.find("keys"); keys != value.end()) record.keys = readKeys(*keys, place.at("keys"));
+    }
+    if constexpr (isObstacle) {
+      if (const auto points = value.find("points"); points != value.end())
+        record.points = readCorners(*points, place.at("points"));
     }
     return record;
   }
@@ -251,6 +256,23 @@ class Reader {
     }
     key.easing = static_cast<Easing>(easing - kEasings.begin());
     return key;
+  }
+
+  std::vector<glm::vec2> readCorners(const JsonDocument& value, const Place& place) {
+    std::vector<glm::vec2> corners;
+    if (!value.is_array() || value.size() < kMinCorners || value.size() > kMaxCorners) {
+      problem(place, "found " + describeJson(value) + ", expected an array of " + std::to_string(kMinCorners) + " to " +
+                         std::to_string(kMaxCorners) + " corners [x, z]");
+      return corners;
+    }
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      if (isNumberArray(value[i], 2)) {
+        corners.emplace_back(value[i][0].get<float>(), value[i][1].get<float>());
+      } else {
+        problem(place.at(i), "found " + describeJson(value[i]) + ", expected two numbers [x, z]");
+      }
+    }
+    return corners;
   }
 
   WindGraph readGraph(const JsonDocument& value, const Place& place) {
@@ -318,6 +340,10 @@ void addSemanticProblems(const Project& project, std::vector<Problem>& problems)
   for (Problem& problem : validate(project)) {
     if (problems.size() >= kMaxProblems) break;
     if (std::ranges::binary_search(known, problem.pointer)) continue;
+    // Corners that couldn't be read make the outline look wrong, too.
+    const std::string corner = problem.pointer + "/";
+    const auto below = std::ranges::lower_bound(known, corner);
+    if (problem.pointer.ends_with("/points") && below != known.end() && below->starts_with(corner)) continue;
     const bool depends = problem.pointer.starts_with("/graph/arrows") || problem.pointer.starts_with("/graph/signals");
     if (pointsBroken && depends) continue;
     problems.push_back(std::move(problem));

@@ -6,6 +6,7 @@
 #include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/project_records.hpp"
+#include "engine/model/outline.hpp"
 #include "engine/model/parameters.hpp"
 #include "engine/model/signal_curve.hpp"
 #include "engine/model/validate.hpp"
@@ -112,6 +113,19 @@ Schema signalSchema() {
   return schema;
 }
 
+Schema obstacleSchema() {
+  Schema schema = ownerSchema<Obstacle>();
+  const double reach = static_cast<double>(kMaxCornerM);
+  schema["properties"]["points"] = {
+      {"type", "array"},
+      {"items", tupleSchema(numberSchema("number", -reach, reach), 2)},
+      {"minItems", kMinCorners},
+      {"maxItems", kMaxCorners},
+      {"description",
+       "Corners [x, z] from the centre along its own axes, in order around; sides don't cross; polygon. Unit: m."}};
+  return schema;
+}
+
 Schema listOf(Schema item, std::size_t limit) {
   return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", limit}};
 }
@@ -167,7 +181,7 @@ std::string projectSchemaJson() {
   properties["solver"] = ownerSchema<SolverSettings>();
   properties["ambient"] = ownerSchema<AmbientWind>();
   properties["graph"] = graphSchema();
-  properties["obstacles"] = listOf(ownerSchema<Obstacle>(), kMaxObstacles);
+  properties["obstacles"] = listOf(obstacleSchema(), kMaxObstacles);
   properties["terrain"] = ownerSchema<TerrainSettings>();
   properties["grass"] = ownerSchema<GrassSettings>();
   properties[std::string(kCollidersKey)] = {{"description", "Reserved: kept as it is, without effect."}};
@@ -201,6 +215,9 @@ std::string parametersMarkdown() {
           "] |  | Time, factor on the strength, and how the curve goes on to the next key: linear (left out in files), "
           "smooth, hold. Times ascend; curve. |\n";
   appendTable<Obstacle>(text, "Obstacle", "/obstacles/N");
+  text += "| points |  | m | " + std::to_string(kMinCorners) + " to " + std::to_string(kMaxCorners) + " of [-" +
+          shortest(kMaxCornerM) + " to " + shortest(kMaxCornerM) + ", the same] |  | Corners (x, z) from the centre " +
+          "along its own axes, in order around; sides don't cross; polygon. |\n";
   appendTable<TerrainSettings>(text, "Terrain", "/terrain");
   appendTable<GrassSettings>(text, "Grass", "/grass");
   appendTable<Probe>(text, "Probe", "/probes/N");

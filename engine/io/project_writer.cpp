@@ -115,6 +115,14 @@ Members membersOf(const Owner& owner, Wanted&& wanted) {
       members.push_back(member("keys", keys.append("]")));
     }
   }
+  if constexpr (std::is_same_v<Owner, Obstacle>) {
+    if (!owner.points.empty()) {
+      std::string points;
+      for (const glm::vec2 p : owner.points)
+        points.append(points.empty() ? "[" : ", ").append(arrayOf({number(p.x), number(p.y)}));
+      members.push_back(member("points", points.append("]")));
+    }
+  }
   for (const auto& [name, value] : extra.items()) members.push_back(member(name, spaced(value)));
   return members;
 }
@@ -133,7 +141,15 @@ std::vector<std::string_view> tellingKeys(const Camera&) {
   return {"id", "position", "target", "fieldOfView"};
 }
 std::vector<std::string_view> tellingKeys(const Obstacle& obstacle) {
-  return {"id", "shape", "centre", obstacle.shape == ObstacleShape::Box ? "size" : "radius"};
+  switch (obstacle.shape) {
+    case ObstacleShape::Circle:
+      return {"id", "shape", "centre", "radius"};
+    case ObstacleShape::Box:
+      return {"id", "shape", "centre", "size"};
+    case ObstacleShape::Polygon:
+      break;
+  }
+  return {"id", "shape", "centre"};
 }
 std::vector<std::string_view> tellingKeys(const Signal& signal) {
   switch (signal.kind) {

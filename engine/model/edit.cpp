@@ -46,6 +46,18 @@ class Draft {
     m_added.clear();
   }
 
+  void reorder(const std::unordered_set<Id>& ids, Id before) {
+    const auto moves = [&](const Record& record) { return ids.contains(record.id); };
+    auto place = before == 0 ? m_records.end() : std::ranges::find(m_records, before, &Record::id);
+    // Where the target moves, too, all stand before the first record after it that doesn't.
+    while (place != m_records.end() && moves(*place)) ++place;
+    std::stable_partition(m_records.begin(), place, [&](const Record& record) { return !moves(record); });
+    std::stable_partition(place, m_records.end(), moves);
+    m_index.reset();
+    m_added.clear();
+  }
+
+  [[nodiscard]] const std::vector<Record>& records() const { return m_records; }
   [[nodiscard]] std::vector<Record> take() { return std::move(m_records); }
 
  private:
@@ -90,6 +102,22 @@ class Editing {
     erase(m_obstacles, *m_project.obstacles, named);
     erase(m_probes, *m_project.probes, named);
     erase(m_cameras, *m_project.cameras, named);
+  }
+
+  void operator()(const Reorder& step) {
+    const std::unordered_set<Id> ids(step.ids.begin(), step.ids.end());
+    const auto move = [&](auto& draft, const auto& part) {
+      const auto& records = draft ? draft->records() : part;
+      const bool has = std::ranges::any_of(records, [&](const auto& record) { return ids.contains(record.id); });
+      const bool here = step.before == 0 ||
+                        std::ranges::any_of(records, [&](const auto& record) { return record.id == step.before; });
+      if (has && here) list(draft, part).reorder(ids, step.before);
+    };
+    move(m_points, m_project.graph->points);
+    move(m_arrows, m_project.graph->arrows);
+    move(m_obstacles, *m_project.obstacles);
+    move(m_probes, *m_project.probes);
+    move(m_cameras, *m_project.cameras);
   }
 
   Project finish() {

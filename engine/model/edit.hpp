@@ -25,6 +25,13 @@ struct Erase {
 struct EraseSignal {
   Id root = 0;
 };
+/// Moves records in their list, so in the file: those of `ids` keep their order and come to stand just before the
+/// record `before` of the same list, or at the list's end where it is 0. Ids of other lists and ids that don't exist
+/// are ignored.
+struct Reorder {
+  std::vector<Id> ids;
+  Id before = 0;
+};
 struct SetName {
   std::string name;
 };
@@ -35,7 +42,7 @@ struct Set {
 };
 
 using EditStep = std::variant<Put<Point>, Put<Arrow>, Put<Signal>, Put<Obstacle>, Put<Probe>, Put<Camera>, Erase,
-                              EraseSignal, SetName, Set<FieldSettings>, Set<SolverSettings>, Set<AmbientWind>,
+                              Reorder, EraseSignal, SetName, Set<FieldSettings>, Set<SolverSettings>, Set<AmbientWind>,
                               Set<TerrainSettings>, Set<GrassSettings>>;
 
 struct Edit {

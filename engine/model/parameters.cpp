@@ -13,7 +13,7 @@ constexpr std::array<Names, 2> kPressures{"multigrid", "jacobi"};
 constexpr std::array<Names, 2> kDrives{"speed", "force"};
 constexpr std::array<Names, 2> kWheres{"along", "end"};
 constexpr std::array<Names, 4> kSignalKinds{"constant", "pulse", "gusts", "curve"};
-constexpr std::array<Names, 2> kObstacleShapes{"circle", "box"};
+constexpr std::array<Names, 3> kObstacleShapes{"circle", "box", "polygon"};
 constexpr std::array<Names, 2> kGrassKinds{"instanced", "none"};
 constexpr std::array<Names, 3> kTerrainKinds{"flat", "heightmap", "mesh"};
 constexpr std::array<Names, 2> kDeformations{"arc", "quadratic"};
@@ -143,7 +143,7 @@ std::span<const Parameter<Obstacle>> parametersOf<Obstacle>() {
       real<&O::centre>("centre", "Centre", "m", -kFar, kFar, 0.1, "Place on the ground (x, z)."),
       real<&O::radius>("radius", "Radius", "m", 0.05, 10000, 0.1, "Radius of a circle."),
       real<&O::size>("size", "Size", "m", 0.05, 20000, 0.1, "Sides of a box, along its own axes."),
-      real<&O::rotation>("rotation", "Rotation", "deg", -360, 360, 1, "Turn of a box from +x towards +z."),
+      real<&O::rotation>("rotation", "Rotation", "deg", -360, 360, 1, "Turn of a box or polygon from +x towards +z."),
       real<&O::height>("height", "Height", "m", 0, 1000, 0.1, "How high it is drawn; the wind doesn't depend on it."),
       toggle<&O::hidden>("hidden", "Hidden", "Not drawn in the editor."),
       toggle<&O::muted>("muted", "Muted", "Lets the air through."),

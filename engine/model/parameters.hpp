@@ -6,17 +6,28 @@
 
 namespace windloom {
 
-template <> std::span<const Parameter<FieldSettings>> parametersOf<FieldSettings>();
-template <> std::span<const Parameter<SolverSettings>> parametersOf<SolverSettings>();
-template <> std::span<const Parameter<AmbientWind>> parametersOf<AmbientWind>();
-template <> std::span<const Parameter<Point>> parametersOf<Point>();
-template <> std::span<const Parameter<Arrow>> parametersOf<Arrow>();
-template <> std::span<const Parameter<Signal>> parametersOf<Signal>();  // all but `keys`
-template <> std::span<const Parameter<Obstacle>> parametersOf<Obstacle>();
-template <> std::span<const Parameter<Probe>> parametersOf<Probe>();
-template <> std::span<const Parameter<Camera>> parametersOf<Camera>();
-template <> std::span<const Parameter<TerrainSettings>> parametersOf<TerrainSettings>();
-template <> std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>();
+template <>
+std::span<const Parameter<FieldSettings>> parametersOf<FieldSettings>();
+template <>
+std::span<const Parameter<SolverSettings>> parametersOf<SolverSettings>();
+template <>
+std::span<const Parameter<AmbientWind>> parametersOf<AmbientWind>();
+template <>
+std::span<const Parameter<Point>> parametersOf<Point>();
+template <>
+std::span<const Parameter<Arrow>> parametersOf<Arrow>();
+template <>
+std::span<const Parameter<Signal>> parametersOf<Signal>();  // all but `keys`
+template <>
+std::span<const Parameter<Obstacle>> parametersOf<Obstacle>();  // all but `points`
+template <>
+std::span<const Parameter<Probe>> parametersOf<Probe>();
+template <>
+std::span<const Parameter<Camera>> parametersOf<Camera>();
+template <>
+std::span<const Parameter<TerrainSettings>> parametersOf<TerrainSettings>();
+template <>
+std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>();
 
 /// Project::name, which stands by itself.
 inline constexpr ParameterInfo kProjectName{

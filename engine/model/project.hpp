@@ -25,12 +25,12 @@ enum class Border {
 };
 
 struct FieldSettings {
-  glm::vec2 centre{0.0f, 0.0f};         ///< m
-  glm::vec2 size{100.0f, 100.0f};       ///< m
-  glm::ivec2 resolution{1000, 1000};    ///< cells
+  glm::vec2 centre{0.0f, 0.0f};       ///< m
+  glm::vec2 size{100.0f, 100.0f};     ///< m
+  glm::ivec2 resolution{1000, 1000};  ///< cells
   Border xMin = Border::Open, xMax = Border::Open, zMin = Border::Open, zMax = Border::Open;
-  float timeStep = 1.0f / 60.0f;        ///< s
-  std::string extra;                    ///< unknown keys as read: the text of a JSON object, or empty
+  float timeStep = 1.0f / 60.0f;  ///< s
+  std::string extra;              ///< unknown keys as read: the text of a JSON object, or empty
 };
 
 enum class Backend { Auto, Gpu, Cpu };
@@ -38,16 +38,16 @@ enum class Advection { MacCormack, SemiLagrangian };
 enum class Pressure { Multigrid, Jacobi };
 
 struct SolverSettings {
-  Backend backend = Backend::Auto;             ///< Auto: the GPU, but the CPU where OpenGL is a software renderer
+  Backend backend = Backend::Auto;  ///< Auto: the GPU, but the CPU where OpenGL is a software renderer
   Advection advection = Advection::MacCormack;
   Pressure pressure = Pressure::Multigrid;
-  float divergenceTolerance = 1e-3f;           ///< multigrid stops when RMS(div) after / before is below this
-  int maxCycles = 8;                           ///< multigrid: at most so many V-cycles a step
-  int jacobiSweeps = 20;                       ///< Jacobi: sweeps a step (the paper's scheme)
-  float confinement = 0.2f;                    ///< vorticity confinement, dimensionless, bounded by local speed
-  float viscosity = 0.0f;                      ///< kinematic, m^2/s
-  float dissipation = 0.1f;                    ///< k, 1/s: the field relaxes to the ambient wind as 1/(1 + k dt)
-  float maxSpeed = 100.0f;                     ///< m/s: no cell is ever faster
+  float divergenceTolerance = 1e-3f;  ///< multigrid stops when RMS(div) after / before is below this
+  int maxCycles = 8;                  ///< multigrid: at most so many V-cycles a step
+  int jacobiSweeps = 20;              ///< Jacobi: sweeps a step (the paper's scheme)
+  float confinement = 0.2f;           ///< vorticity confinement, dimensionless, bounded by local speed
+  float viscosity = 0.0f;             ///< kinematic, m^2/s
+  float dissipation = 0.1f;           ///< k, 1/s: the field relaxes to the ambient wind as 1/(1 + k dt)
+  float maxSpeed = 100.0f;            ///< m/s: no cell is ever faster
   int seed = 7;
   std::string extra;
 };
@@ -62,18 +62,19 @@ struct AmbientWind {
   std::string extra;
 };
 
-enum class ObstacleShape { Circle, Box };
+enum class ObstacleShape { Circle, Box, Polygon };
 
 /// A solid: no air flows through it.
 struct Obstacle {
   Id id = 0;
   std::string name;
   ObstacleShape shape = ObstacleShape::Circle;
-  glm::vec2 centre{0.0f, 0.0f};  ///< m
-  float radius = 3.0f;           ///< m; circle only
-  glm::vec2 size{4.0f, 4.0f};    ///< m, along its own axes; box only
-  float rotation = 0.0f;         ///< deg from +X towards +Z; box only
-  float height = 2.0f;           ///< m; how high it is drawn
+  glm::vec2 centre{0.0f, 0.0f};   ///< m
+  float radius = 3.0f;            ///< m; circle only
+  glm::vec2 size{4.0f, 4.0f};     ///< m, along its own axes; box only
+  float rotation = 0.0f;          ///< deg from +X towards +Z; box and polygon
+  std::vector<glm::vec2> points;  ///< m, corners from the centre along its own axes; polygon only
+  float height = 2.0f;            ///< m; how high it is drawn
   bool hidden = false, muted = false, locked = false;
   std::string extra;
 
@@ -129,28 +130,28 @@ enum class Deformation {
 
 struct GrassSettings {
   GrassKind kind = GrassKind::Instanced;
-  float density = 100.0f;            ///< blades per m^2
+  float density = 100.0f;  ///< blades per m^2
   int seed = 1;
-  float height = 0.55f;              ///< m
-  float heightVariation = 0.35f;     ///< part of the height, 0..1
-  float width = 0.022f;              ///< m, at the base
-  float stiffness = 1.0f;            ///< 1 = meadow grass; doubling it halves the bend for the same wind
-  float stiffnessVariation = 0.3f;   ///< part of the stiffness, 0..1
-  float clumping = 0.5f;             ///< how strongly neighbours share height, lean and colour, 0..1
+  float height = 0.55f;             ///< m
+  float heightVariation = 0.35f;    ///< part of the height, 0..1
+  float width = 0.022f;             ///< m, at the base
+  float stiffness = 1.0f;           ///< 1 = meadow grass; doubling it halves the bend for the same wind
+  float stiffnessVariation = 0.3f;  ///< part of the stiffness, 0..1
+  float clumping = 0.5f;            ///< how strongly neighbours share height, lean and colour, 0..1
   Deformation deformation = Deformation::Arc;
-  float windFactor = 0.06f;          ///< F of CWD-Sim eq. 12: bend per m/s
-  float droopDown = 0.05f;           ///< k1 of eq. 11
-  float droopForward = 0.1f;         ///< k2 of eq. 11
-  float restBlend = 0.2f;            ///< lambda of eq. 13
-  float flutter = 0.35f;             ///< strength of the small motion around the bent pose, 0..1
+  float windFactor = 0.06f;                      ///< F of CWD-Sim eq. 12: bend per m/s
+  float droopDown = 0.05f;                       ///< k1 of eq. 11
+  float droopForward = 0.1f;                     ///< k2 of eq. 11
+  float restBlend = 0.2f;                        ///< lambda of eq. 13
+  float flutter = 0.35f;                         ///< strength of the small motion around the bent pose, 0..1
   glm::vec3 baseColour{0.035f, 0.075f, 0.014f};  ///< linear RGB at the root
   glm::vec3 tipColour{0.30f, 0.42f, 0.085f};     ///< linear RGB at the tip
   glm::vec3 dryColour{0.46f, 0.38f, 0.15f};      ///< what some clumps lean to
-  float dryness = 0.25f;             ///< part of the clumps that lean to dryColour, 0..1
-  float shadowMin = 0.35f;           ///< m_min of eq. 14
-  float shadowMax = 1.0f;            ///< m_max of eq. 14
-  float shadowWind = 0.25f;          ///< c1 of eq. 14
-  float shadowOffset = 0.45f;        ///< c2 of eq. 14
+  float dryness = 0.25f;                         ///< part of the clumps that lean to dryColour, 0..1
+  float shadowMin = 0.35f;                       ///< m_min of eq. 14
+  float shadowMax = 1.0f;                        ///< m_max of eq. 14
+  float shadowWind = 0.25f;                      ///< c1 of eq. 14
+  float shadowOffset = 0.45f;                    ///< c2 of eq. 14
   std::string extra;
 };
 

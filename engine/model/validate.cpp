@@ -6,6 +6,7 @@
 
 #include "engine/core/text.hpp"
 #include "engine/model/id_index.hpp"
+#include "engine/model/outline.hpp"
 #include "engine/model/parameters.hpp"
 
 namespace windloom {
@@ -162,6 +163,21 @@ void checkGraph(Problems& problems, const WindGraph& graph, const WindGraph* val
   checkSignals(problems, graph.signals, points);
 }
 
+/// Corners are checked where the outline is one, and wherever there are any: what is kept must be legal when the
+/// shape comes back to it.
+void checkObstacles(Problems& problems, const std::vector<Obstacle>& obstacles, const std::vector<Obstacle>* valid) {
+  checkRecords(problems, obstacles, valid, "/obstacles", kMaxObstacles);
+  for (std::size_t i = 0; i < obstacles.size() && i < kMaxObstacles; ++i) {
+    if (valid != nullptr && i < valid->size() && obstacles[i] == (*valid)[i]) continue;
+    if (obstacles[i].shape != ObstacleShape::Polygon && obstacles[i].points.empty()) continue;
+    const auto problem = polygonProblem(obstacles[i].points);
+    if (!problem) continue;
+    std::string pointer = at("/obstacles", i, "points");
+    if (problem->corner) pointer.append("/").append(std::to_string(*problem->corner));
+    add(problems, std::move(pointer), problem->message);
+  }
+}
+
 void checkCameras(Problems& problems, const std::vector<Camera>& cameras) {
   checkRecords<Camera>(problems, cameras, nullptr, "/cameras", kMaxCameras);
   for (std::size_t i = 0; i < cameras.size() && i < kMaxCameras; ++i) {
@@ -237,7 +253,7 @@ Problems validateParts(const Project& project, const Project* valid) {
   if (changed(&Project::ambient)) checkPart(problems, *project.ambient, "/ambient");
   if (changed(&Project::graph)) checkGraph(problems, *project.graph, valid ? valid->graph.get() : nullptr);
   if (changed(&Project::obstacles))
-    checkRecords(problems, *project.obstacles, valid ? valid->obstacles.get() : nullptr, "/obstacles", kMaxObstacles);
+    checkObstacles(problems, *project.obstacles, valid ? valid->obstacles.get() : nullptr);
   if (changed(&Project::terrain)) checkTerrain(problems, *project.terrain);
   if (changed(&Project::grass)) checkPart(problems, *project.grass, "/grass");
   if (changed(&Project::probes))

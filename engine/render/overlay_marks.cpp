@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/model/id_index.hpp"
+#include "engine/model/outline.hpp"
 #include "engine/render/solids.hpp"
 
 namespace windloom {
@@ -97,6 +98,15 @@ OverlayMarks makeOverlayMarks(const Project& project, const GraphLinks& links, c
   }
   for (const Obstacle& obstacle : *project.obstacles) {
     if (obstacle.hidden) continue;
+    if (obstacle.shape == ObstacleShape::Polygon) {
+      const std::vector<glm::vec2> corners = outlineOf(obstacle);
+      for (std::size_t i = 0; i < corners.size(); ++i)
+        marks.outlines.push_back({{corners[i], corners[(i + 1) % corners.size()]},
+                                  {1.0f, 0.0f, obstacle.height, state(obstacle.id)},
+                                  {SOLID_POLYGON, obstacle.centre.x, obstacle.centre.y, 0.0f},
+                                   {}});
+      continue;
+    }
     const Solid solid = makeSolids({obstacle}).front();
     marks.outlines.push_back(
         {solid.place, {solid.shape.x, solid.shape.y, solid.shape.z, state(obstacle.id)}, {solid.shape.w, 0, 0, 0}, {}});

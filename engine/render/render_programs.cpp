@@ -14,6 +14,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"terrain/ground mesh quick", {"terrain/ground_mesh.vert", "terrain/ground.frag"}},
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
+    {"terrain/solid polygon", {"terrain/solid_polygon.vert", "terrain/solid.frag"}},
     {"field/speed map", {"field/map.vert", "field/speed_map.frag"}},
     {"field/divergence map", {"field/map.vert", "field/gradient_map.frag"}},
     {"field/vorticity map", {"field/map.vert", "field/gradient_map.frag"}, "VORTICITY"},

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 #include "engine/gpu/debug_group.hpp"
 #include "engine/gpu/object_label.hpp"
+#include "engine/model/outline.hpp"
+#include "engine/render/polygon_mesh.hpp"
 #include "engine/render/render_programs.hpp"
 #include "shaders/shared/render_bindings.h"
 
@@ -15,41 +18,42 @@ constexpr int kMapSide = 1024;           // texels along the longer side: 12 cm 
 constexpr int kStrips = 3, kSectors = 32;  // as in shaders/terrain/solid.vert
 constexpr float kFarM = 8.0f;            // distance where no solid is near
 
-/// The lowest ground along the outline and at the centre.
-float footOf(const Solid& solid, const HeightField& ground) {
-  const glm::vec2 centre(solid.place), half(solid.place.z, solid.place.w);
-  float lowest = heightAt(ground, centre);
-  for (int sector = 0; sector < kSectors; ++sector) {
-    const float turn = 6.2831853f * static_cast<float>(sector) / static_cast<float>(kSectors);
-    glm::vec2 local(std::cos(turn), std::sin(turn));
-    if (solid.shape.w == SOLID_BOX) local /= std::max(std::abs(local.x), std::abs(local.y));
-    local *= half;
-    const glm::vec2 at(solid.shape.x * local.x - solid.shape.y * local.y, solid.shape.y * local.x + solid.shape.x * local.y);
-    lowest = std::min(lowest, heightAt(ground, centre + at));
-  }
-  return lowest;
-}
-
 }  // namespace
 
 std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles, const HeightField* ground) {
   std::vector<Solid> solids;
+  float first = 0.0f;
   for (const Obstacle& obstacle : obstacles) {
     if (obstacle.hidden) continue;
-    const bool circle = obstacle.shape == ObstacleShape::Circle;
-    const glm::vec2 half = circle ? glm::vec2(obstacle.radius) : 0.5f * obstacle.size;
-    const float turn = circle ? 0.0f : glm::radians(obstacle.rotation);
-    solids.push_back({{obstacle.centre, half}, {std::cos(turn), std::sin(turn), obstacle.height, circle ? SOLID_CIRCLE : SOLID_BOX}, {0.0f, obstacle.height, 0.0f, 0.0f}});
-    if (ground == nullptr) continue;
-    Solid& solid = solids.back();
-    solid.level = {footOf(solid, *ground), heightAt(*ground, obstacle.centre) + obstacle.height, 0.0f, 0.0f};
+    const float turn = obstacle.shape == ObstacleShape::Circle ? 0.0f : glm::radians(obstacle.rotation);
+    const float kind = obstacle.shape == ObstacleShape::Circle ? SOLID_CIRCLE
+                       : obstacle.shape == ObstacleShape::Box  ? SOLID_BOX
+                                                               : SOLID_POLYGON;
+    const float count = kind == SOLID_POLYGON ? static_cast<float>(obstacle.points.size()) : 0.0f;
+    const Standing standing = standingOf(obstacle, ground);
+    solids.push_back({{obstacle.centre, halfExtentOf(obstacle)},
+                      {std::cos(turn), std::sin(turn), obstacle.height, kind},
+                      {standing.footM, standing.topM, first, count}});
+    first += count;
   }
   return solids;
 }
 
+std::vector<glm::vec2> solidCorners(const std::vector<Obstacle>& obstacles) {
+  std::vector<glm::vec2> corners;
+  for (const Obstacle& obstacle : obstacles) {
+    if (obstacle.hidden || obstacle.shape != ObstacleShape::Polygon) continue;
+    corners.insert(corners.end(), obstacle.points.begin(), obstacle.points.end());
+  }
+  return corners;
+}
+
 Result<SolidPass> SolidPass::create(gpu::ShaderLibrary& shaders) {
   SolidPass pass;
-  if (Status loaded = loadPrograms(shaders, {{"terrain/solid", &pass.m_draw}, {"terrain/solid map", &pass.m_drawMap}}); !loaded) {
+  if (Status loaded = loadPrograms(shaders, {{"terrain/solid", &pass.m_draw},
+                                              {"terrain/solid polygon", &pass.m_drawPolygons},
+                                              {"terrain/solid map", &pass.m_drawMap}});
+      !loaded) {
     return loaded.error();
   }
   pass.m_noVertices = gpu::VertexArray::create("solids");
@@ -78,11 +82,32 @@ Status SolidPass::configure(const std::vector<Obstacle>& obstacles, const FieldS
   const glm::ivec2 size = glm::max(glm::ivec2(area / std::max(area.x, area.y) * float(kMapSide)), glm::ivec2(16));
   if (Status made = makeMap(size); !made) return made;
   m_count = static_cast<int>(solids.size());
+  m_meshCount = 0;
   m_mapFresh = false;
   if (solids.empty()) return Done{};
   Result<gpu::Buffer> buffer = gpu::Buffer::create("solids", std::span<const Solid>(solids));
   if (!buffer) return buffer.error();
   m_solids = std::move(*buffer);
+  return makePolygons(obstacles, ground);
+}
+
+Status SolidPass::makePolygons(const std::vector<Obstacle>& obstacles, const HeightField* ground) {
+  std::vector<glm::vec2> corners = solidCorners(obstacles);
+  if (corners.empty()) corners.emplace_back(0.0f);  // a buffer is never empty
+  Result<gpu::Buffer> buffer = gpu::Buffer::create("solid corners", std::span<const glm::vec2>(corners));
+  if (!buffer) return buffer.error();
+  m_corners = std::move(*buffer);
+  const std::vector<PolygonVertex> mesh = makePolygonMesh(obstacles, ground);
+  m_meshCount = static_cast<int>(mesh.size());
+  if (mesh.empty()) return Done{};
+  buffer = gpu::Buffer::create("polygon solids", std::span<const PolygonVertex>(mesh));
+  if (!buffer) return buffer.error();
+  m_mesh = std::move(*buffer);
+  m_meshVertices = gpu::VertexArray::create("polygon solids");
+  m_meshVertices.vertexBuffer(0, m_mesh, sizeof(PolygonVertex));
+  m_meshVertices.floats(0, 0, 3, offsetof(PolygonVertex, position));
+  m_meshVertices.floats(1, 0, 3, offsetof(PolygonVertex, normal));
+  m_meshVertices.floats(2, 0, 1, offsetof(PolygonVertex, height));
   return Done{};
 }
 
@@ -100,6 +125,7 @@ void SolidPass::updateMap() {
   glBlendEquation(GL_MIN);
   m_drawMap->use();
   m_solids.bindStorage(RENDER_SSBO_SOLIDS);
+  m_corners.bindStorage(RENDER_SSBO_CORNERS);
   m_noVertices.bind();
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, m_count);
   glBlendEquation(GL_FUNC_ADD);
@@ -115,6 +141,10 @@ void SolidPass::draw(const gpu::PassState& state) const {
   m_solids.bindStorage(RENDER_SSBO_SOLIDS);
   m_noVertices.bind();
   glDrawArraysInstanced(GL_TRIANGLES, 0, kStrips * kSectors * 6, m_count);
+  if (m_meshCount == 0) return;
+  m_drawPolygons->use();
+  m_meshVertices.bind();
+  glDrawArrays(GL_TRIANGLES, 0, m_meshCount);
 }
 
 }  // namespace windloom

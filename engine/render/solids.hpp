@@ -16,9 +16,11 @@ namespace windloom {
 
 using shared::Solid;
 
-/// The obstacles that are drawn: hidden ones are left out. `ground` null: flat. A solid is as high over the ground at
-/// its centre as its obstacle says, and reaches down to the lowest ground under its outline.
+/// The obstacles that are drawn: hidden ones are left out. `ground` null: flat. For how high they stand see standingOf
+/// (engine/model/outline.hpp).
 std::vector<Solid> makeSolids(const std::vector<Obstacle>& obstacles, const HeightField* ground = nullptr);
+/// The corners of the polygons among them, as Solid::level counts them.
+std::vector<glm::vec2> solidCorners(const std::vector<Obstacle>& obstacles);
 
 class SolidPass {
  public:
@@ -36,14 +38,16 @@ class SolidPass {
  private:
   SolidPass() = default;
   Status makeMap(glm::ivec2 size);
+  Status makePolygons(const std::vector<Obstacle>& obstacles, const HeightField* ground);
 
   gpu::Program* m_draw = nullptr;
+  gpu::Program* m_drawPolygons = nullptr;
   gpu::Program* m_drawMap = nullptr;
-  gpu::Buffer m_solids;
+  gpu::Buffer m_solids, m_corners, m_mesh;
   gpu::Texture m_mapTexture;
   gpu::Handle<gpu::FramebufferKind> m_map;
-  gpu::VertexArray m_noVertices;
-  int m_count = 0;
+  gpu::VertexArray m_noVertices, m_meshVertices;
+  int m_count = 0, m_meshCount = 0;
   bool m_mapFresh = false;
 };
 

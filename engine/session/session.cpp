@@ -65,6 +65,7 @@ class SessionImpl final : public Session {
   void setLoop(const LoopRange& loop) override;
   [[nodiscard]] const LoopRange& loop() const override { return m_loop; }
   [[nodiscard]] double time() const override { return m_simulation->time(); }
+  void setTransientForces(std::span<const ArrowForce> forces) override { m_simulation->setTransientForces(forces); }
   void advance(double wallSeconds) override;
   void runTo(double seconds) override;
   void draw(const View& view) override;

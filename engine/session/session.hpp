@@ -78,6 +78,9 @@ class Session {
   virtual void setLoop(const LoopRange& loop) = 0;
   [[nodiscard]] virtual const LoopRange& loop() const = 0;
 
+  /// Forces beside the project's in the steps from now on, until they are set again (the wind brush).
+  virtual void setTransientForces(std::span<const ArrowForce> forces) = 0;
+
   /// While seeking, runs the steps that fit in a slice of a frame. While playing, runs the steps that `wallSeconds` of
   /// real time call for, but no more than fit in about half a frame: a slow machine slows time down instead of
   /// spiralling.

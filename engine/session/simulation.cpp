@@ -151,7 +151,11 @@ Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::v
 }
 
 void Simulation::step() {
-  m_solver->step(m_graph->forcesAt(m_seconds), m_seconds);
+  std::vector<ArrowForce> forces = m_graph->forcesAt(m_seconds);
+  forces.insert(forces.end(), m_transient.begin(), m_transient.end());
+  // Air that was combed is not the air that playing from the start gives.
+  if (!m_transient.empty()) m_fromStart = false;
+  m_solver->step(forces, m_seconds);
   ++m_steps;
   m_seconds += static_cast<double>(m_project.field->timeStep);
   m_cellsFresh = false;

@@ -43,6 +43,8 @@ class Simulation {
   /// do, too.
   Status setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells, long step = 0);
 
+  /// Forces beside the graph's in the steps from now on, until they are set again: no part of the project.
+  void setTransientForces(std::span<const ArrowForce> forces) { m_transient.assign(forces.begin(), forces.end()); }
   void step();
   /// Back to the start: the ambient wind at time 0, or the initial field at its time.
   void restart();
@@ -88,6 +90,7 @@ class Simulation {
   SimulationOptions m_options;
   std::unique_ptr<WindSolver> m_solver;
   std::unique_ptr<GraphEvaluator> m_graph;
+  std::vector<ArrowForce> m_transient;
   std::vector<glm::vec2> m_initial;
   std::vector<glm::vec2> m_cells;
   long m_initialStep = 0;

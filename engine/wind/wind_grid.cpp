@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/core/contract.hpp"
+#include "engine/model/outline.hpp"
 
 namespace windloom {
 namespace {
@@ -24,12 +25,28 @@ CellBox cellsWithin(const WindGrid& grid, glm::vec2 centre, float reach) {
           std::max(0, cell(low.y, grid.height) - 1), std::min(grid.height - 1, cell(high.y, grid.height) + 1)};
 }
 
-bool holds(const Obstacle& obstacle, glm::vec2 position) {
-  const glm::vec2 d = position - obstacle.centre;
-  if (obstacle.shape == ObstacleShape::Circle) return glm::dot(d, d) <= obstacle.radius * obstacle.radius;
-  const float angle = glm::radians(obstacle.rotation);
-  const float c = std::cos(angle), s = std::sin(angle);
-  return std::abs(d.x * c + d.y * s) <= obstacle.size.x / 2 && std::abs(d.y * c - d.x * s) <= obstacle.size.y / 2;
+void mark(WindGrid& grid, int i, int k) {
+  grid.solid[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] = 1;
+}
+
+/// Row by row between pairs of crossings: a test of each cell against each of up to 256 sides would be felt.
+void markPolygon(WindGrid& grid, const Obstacle& obstacle, const CellBox& box) {
+  const std::vector<glm::vec2> corners = outlineOf(obstacle);
+  std::vector<double> crossings;
+  for (int k = box.kMin; k <= box.kMax; ++k) {
+    const double z = cellCentreToWorld(glm::vec2(0, k), grid.mapping.minCorner, grid.mapping.cellSize).y;
+    crossings.clear();
+    for (std::size_t n = 0; n < corners.size(); ++n) {
+      const glm::dvec2 a = corners[n], b = corners[(n + 1) % corners.size()];
+      if ((a.y > z) != (b.y > z)) crossings.push_back(a.x + (z - a.y) / (b.y - a.y) * (b.x - a.x));
+    }
+    std::ranges::sort(crossings);
+    for (int i = box.iMin; i <= box.iMax && !crossings.empty(); ++i) {
+      const double x = cellCentreToWorld(glm::vec2(i, k), grid.mapping.minCorner, grid.mapping.cellSize).x;
+      const auto before = std::ranges::lower_bound(crossings, x) - crossings.begin();
+      if (before % 2 == 1) mark(grid, i, k);
+    }
+  }
 }
 
 }  // namespace
@@ -74,14 +91,15 @@ void rasteriseSolids(WindGrid& grid, std::span<const Obstacle> obstacles) {
   grid.solid.assign(cells, 0);
   for (const Obstacle& obstacle : obstacles) {
     if (obstacle.muted) continue;
-    const bool circle = obstacle.shape == ObstacleShape::Circle;
-    const CellBox box = cellsWithin(grid, obstacle.centre, circle ? obstacle.radius : glm::length(obstacle.size) / 2);
+    const CellBox box = cellsWithin(grid, obstacle.centre, reachOf(obstacle));
+    if (obstacle.shape == ObstacleShape::Polygon) {
+      markPolygon(grid, obstacle, box);
+      continue;
+    }
     for (int k = box.kMin; k <= box.kMax; ++k) {
       for (int i = box.iMin; i <= box.iMax; ++i) {
-        if (holds(obstacle, cellCentreToWorld(glm::vec2(i, k), grid.mapping.minCorner, grid.mapping.cellSize))) {
-          grid.solid[static_cast<std::size_t>(k) * static_cast<std::size_t>(grid.width) + static_cast<std::size_t>(i)] =
-              1;
-        }
+        if (isInside(obstacle, cellCentreToWorld(glm::vec2(i, k), grid.mapping.minCorner, grid.mapping.cellSize)))
+          mark(grid, i, k);
       }
     }
   }

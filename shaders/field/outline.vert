@@ -20,6 +20,17 @@ void main() {
   OverlayMark mark = marks[gl_InstanceID];
   int sector = gl_VertexID >> 1;
   float wide = metresFor(pixelUnit() * (mark.look.w == MARK_NORMAL ? 1.5 : 3.0), mark.place.xy);
+  if (mark.more.x == SOLID_POLYGON) {
+    // A side of its own, in the middle of the band; a little longer, so that sides meet at corners.
+    vec2 way = normalize(mark.place.zw - mark.place.xy);
+    vec2 at = mix(mark.place.xy, mark.place.zw, float(sector) / float(kSectors));
+    if (sector == 0) at -= 0.5 * wide * way;
+    if (sector == kSectors) at += 0.5 * wide * way;
+    at += ((gl_VertexID & 1) == 0 ? -0.5 : 0.5) * wide * vec2(way.y, -way.x);
+    outlineState = mark.look.w;
+    gl_Position = frame.viewProjection * vec4(at.x, groundHeight(mark.more.yz) + mark.look.z + 0.02, at.y, 1.0);
+    return;
+  }
   vec2 halfSize = mark.place.zw + ((gl_VertexID & 1) == 0 ? 0.0 : wide);
   vec2 local = outline(sector, mark.more.x) * halfSize;
   vec2 at = mark.place.xy + vec2(mark.look.x * local.x - mark.look.y * local.y, mark.look.y * local.x + mark.look.x * local.y);

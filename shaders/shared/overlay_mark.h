@@ -13,11 +13,12 @@ WL_SHARED_BEGIN
 #define MARK_PROBE 2.0f
 
 struct OverlayMark {
-  vec4 place;   // arrow: from x, z, to x, z, m. Point, probe: x, z, hub radius m, MARK_POINT...; outline: as Solid::place
+  vec4 place;   // arrow: from x, z, to x, z, m. Point, probe: x, z, hub radius m, MARK_POINT...; outline: as
+                // Solid::place; one side of a polygon: from x, z, to x, z
   vec4 look;    // arrow: radius m, strength, 1 where muted, MARK_NORMAL...
-                // point, probe: unused, unused, unused, state; outline: cosine, sine, height, state
+                // point, probe: unused, unused, unused, state; outline: cosine, sine, height m, state
   vec4 more;    // arrow: where its area begins (0 along, 1 at its end), hub radius m at its start and at its end,
-                // its travel speed, m/s. Outline: SOLID_*
+                // its travel speed, m/s. Outline: SOLID_*, centre x, z of a polygon
   vec4 signal;  // arrow: place of its start in the table of signal levels, entries from there to its end
 };
 

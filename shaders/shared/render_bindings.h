@@ -24,8 +24,9 @@
 #define RENDER_SSBO_LEVELS 5
 #define RENDER_SSBO_SEEDS 6
 #define RENDER_SSBO_LINES 7
-// OpenGL promises eight; these passes have no marks.
+// OpenGL promises eight; these passes have neither marks nor levels.
 #define RENDER_SSBO_GROUND_TILES 4
 #define RENDER_SSBO_GRASS_BOUNDS 4
+#define RENDER_SSBO_CORNERS 5
 
 #endif

@@ -6,11 +6,12 @@ WL_SHARED_BEGIN
 
 #define SOLID_CIRCLE 0.0f
 #define SOLID_BOX 1.0f
+#define SOLID_POLYGON 2.0f
 
 struct Solid {
   vec4 place;  // centre x, z, half size along its own axes (circle: radius twice), m
   vec4 shape;  // cosine and sine of its rotation, height m, SOLID_*
-  vec4 level;  // y of its foot (the lowest ground under it) and of its top, m
+  vec4 level;  // y of its foot and of its top, m; polygon: its first corner in the list of corners, how many
 };
 
 WL_SHARED_END

@@ -27,6 +27,10 @@ vec2 outwards(float sector, float shape) {
 
 void main() {
   Solid solid = solids[gl_InstanceID];
+  if (solid.shape.w == SOLID_POLYGON) {  // drawn by terrain/solid_polygon.vert
+    gl_Position = vec4(2.0, 2.0, 2.0, 1.0);
+    return;
+  }
   int quad = gl_VertexID / 6;
   int corner = kCorners[gl_VertexID % 6];
   int strip = quad / kSectors;

@@ -203,6 +203,41 @@ TEST_F(Frame, NoGrassStandsInASolid) {
   EXPECT_GT(green(p.mean({0, 0}, {30, 240})), 3.0f);
 }
 
+TEST_F(Frame, GrassStandsInTheNotchOfAPolygonOnly) {
+  Obstacle notched;
+  notched.id = 5;
+  notched.shape = ObstacleShape::Polygon;
+  notched.height = 0.05f;
+  // 8 m square with a notch from its low z side to the middle.
+  notched.points = {{-4, -4}, {-1.5f, -4}, {-1.5f, 1}, {1.5f, 1}, {1.5f, -4}, {4, -4}, {4, 4}, {-4, 4}};
+  m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{notched});
+  setGrass([](GrassSettings& grass) { grass.density = 120.0f; });
+  m_input.camera = above({0.0f, 0.0f}, 12.0f);
+  m_input.size = {240, 240};  // 20 pixels a metre
+  const Picture p = picture();
+  const auto green = [](glm::vec3 c) { return c.y - c.x; };
+  EXPECT_LT(green(p.mean({60, 80}, {80, 180})), 2.0f) << "stone at low x";
+  EXPECT_LT(green(p.mean({160, 80}, {180, 180})), 2.0f) << "stone at high x";
+  EXPECT_LT(green(p.mean({60, 160}, {180, 185})), 2.0f) << "stone behind the notch";
+  EXPECT_GT(green(p.mean({105, 60}, {135, 110})), 3.0f) << "grass in the notch";
+}
+
+TEST_F(Frame, APolygonThrowsTheShadowOfItsDrum) {
+  setGrass([](GrassSettings& grass) { grass.density = 20.0f; });
+  m_input.camera = above({0.0f, 0.0f}, 24.0f);
+  m_input.size = {240, 240};
+  setObstacle(3.0f);
+  const Picture drum = picture();
+  Obstacle round = m_project.obstacles->front();
+  round.shape = ObstacleShape::Polygon;
+  for (int i = 0; i < 64; ++i) {
+    const float angle = 6.2831853f * float(i) / 64;
+    round.points.emplace_back(3.0f * std::cos(angle), 3.0f * std::sin(angle));
+  }
+  m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{round});
+  EXPECT_LT(difference(drum, picture()), 1.5f);
+}
+
 TEST_F(Frame, SolidsThrowShadows) {
   setGrass([](GrassSettings& grass) { grass.density = 20.0f; });
   m_input.camera = above({0.0f, 0.0f}, 24.0f);

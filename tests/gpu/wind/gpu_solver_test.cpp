@@ -90,6 +90,27 @@ TEST_F(GpuSolver, AgreesWithTheCpuInAnOpenFieldWithSolids) {
   EXPECT_LE(result.worstRatio, 1e-3);
 }
 
+TEST_F(GpuSolver, APolygonStopsTheAirAsABoxDoes) {
+  WindSetup setup = usualSetup({96, 80}, 0.25f, Border::Open);
+  Obstacle rectangle = box({12.03f, 10.04f}, {5.1f, 2.3f}, 30);
+  setup.obstacles = {rectangle};
+  const auto byBox = make(setup);
+  rectangle.shape = ObstacleShape::Polygon;
+  rectangle.points = {{-2.55f, -1.15f}, {2.55f, -1.15f}, {2.55f, 1.15f}, {-2.55f, 1.15f}};
+  setup.obstacles = {rectangle};
+  const auto byPolygon = make(setup);
+  const std::vector<ArrowForce> arrows = arrowsOver(setup.field.size);
+  for (int n = 0; n < 30; ++n) {
+    byBox->step(arrows, n * double(setup.field.timeStep));
+    byPolygon->step(arrows, n * double(setup.field.timeStep));
+  }
+  std::vector<glm::vec2> a, b;
+  byBox->readVelocity(a);
+  byPolygon->readVelocity(b);
+  EXPECT_LE(relativeDifference(a, b), 1e-6);
+  EXPECT_LE(compare(*make(setup), setup, 30).difference, 1e-3);
+}
+
 TEST_F(GpuSolver, AgreesWithTheCpuBetweenWalls) {
   WindSetup setup = usualSetup({96, 80}, 0.25f, Border::Wall);
   setup.obstacles = {circle({12, 10}, 2.5f)};

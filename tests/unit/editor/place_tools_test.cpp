@@ -27,7 +27,7 @@ TEST(ObstacleTool, KeyCChangesToABoxDuringTheDrag) {
   expectNear(obstacle.size, {6, 8}, 0.01f);
 }
 
-TEST(ObstacleTool, ClickMakesNothing) {
+TEST(ObstacleTool, OneClickMakesNothingYet) {
   Bench b;
   b.key("O");
   b.click({10, 5});

@@ -51,11 +51,11 @@ class Fidget {
 
  private:
   static constexpr const char* kKeys[] = {
-      "Q",       "W",       "E",      "R",      "D",      "D",      "D",        "O",      "V",
-      "P",       "X",       "Z",      "Del",    "Enter",  "Esc",    "3",        ".",      "-",
-      "Ctrl+Z",  "Ctrl+Y",  "Ctrl+J", "Y",      "Ctrl+R", "Ctrl+P", "Shift+E",  "Ctrl+D", "Shift+D",
-      "M",       "H",       "Alt+H",  "A",      "Alt+A",  "Ctrl+L", "Ctrl+I",   "[",      "]",
-      "Shift+[", "Shift+]", "C",      "Ctrl+C", "Ctrl+V", "Ctrl+X", "Numpad /", "F",      "Ctrl+Del"};
+      "Q",      "B",      "Backspace", "W",      "E",        "R",      "D",       "D",      "D",       "O",
+      "V",      "P",      "X",         "Z",      "Del",      "Enter",  "Esc",     "3",      ".",       "-",
+      "Ctrl+Z", "Ctrl+Y", "Ctrl+J",    "Y",      "Ctrl+R",   "Ctrl+P", "Shift+E", "Ctrl+D", "Shift+D", "M",
+      "H",      "Alt+H",  "A",         "Alt+A",  "Ctrl+L",   "Ctrl+I", "[",       "]",      "Shift+[", "Shift+]",
+      "C",      "Ctrl+C", "Ctrl+V",    "Ctrl+X", "Numpad /", "F",      "Ctrl+Del"};
 
   std::size_t pick(std::size_t count) { return m_random() % count; }
   /// Few enough places that gestures meet what is there already.

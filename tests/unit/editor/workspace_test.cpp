@@ -30,6 +30,7 @@ TEST(Workspace, DefaultShortcutsAreThoseOfTheKeyTable) {
                                                        {"tool.obstacle", "O"},
                                                        {"tool.vortex", "V"},
                                                        {"tool.probe", "P"},
+                                                       {"tool.brush", "B"},
                                                        {"graph.strength_up", "Shift+]"},
                                                        {"graph.strength_down", "Shift+["},
                                                        {"graph.radius_up", "]"},

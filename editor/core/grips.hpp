@@ -1,0 +1,61 @@
+#pragma once
+// Handles to drag by beside the objects themselves: the gizmo of the move, rotate and scale tools in the middle of the
+// selection, and the handles of a selected obstacle's outline. Both keep their size on the screen.
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "editor/core/tool.hpp"
+
+namespace windloom::editor {
+
+enum class SelectKind {
+  Select,  ///< a drag moves a handle, or draws a box on empty ground
+  Move,    ///< a drag anywhere moves the selection
+  Rotate,
+  Scale,
+};
+
+enum class GripKind {
+  AxisX,   ///< gizmo: along x
+  AxisZ,   ///< gizmo: along z
+  Centre,  ///< gizmo: both
+  Ring,    ///< gizmo: turn
+  Radius,  ///< of a circle
+  Side,    ///< of a box; index 0..3: low x, high x, low z, high z of its own axes
+  Turn,    ///< rotation of a box or polygon
+  Corner,  ///< of a polygon; index
+};
+
+struct Grip {
+  GripKind kind = GripKind::Centre;
+  Id obstacle = 0;  ///< 0: gizmo
+  int index = 0;
+  glm::vec2 place{0.0f};  ///< on the ground
+  glm::vec2 pivot{0.0f};  ///< middle of the selection, or of the obstacle
+  bool operator==(const Grip& other) const {
+    return kind == other.kind && obstacle == other.obstacle && index == other.index;
+  }
+};
+
+/// Length of the gizmo's arms, pixels at an interface scale of 1.
+inline constexpr float kGizmoPx = 70.0f;
+
+/// Grips of a tool for what is selected; none where nothing that can move is. Obstacle handles only with the select
+/// and move tools, and only of the active obstacle where it is not locked.
+std::vector<Grip> gripsOf(const ToolContext& context, SelectKind tool);
+/// The one under the pixel. Handles of points and probes that aren't selected come before arms and ring.
+std::optional<Grip> gripAt(const ToolContext& context, SelectKind tool, glm::vec2 pixel);
+void addGripShapes(const ToolContext& context, SelectKind tool, const std::optional<Grip>& hot, PreviewShapes& shapes);
+std::string gripHint(const Grip& grip);
+
+/// Changes an obstacle's outline. A typed number is the radius, the side's length or the angle.
+std::unique_ptr<Drag> makeOutlineDrag(const Grip& grip);
+
+/// A corner put into the polygon's side nearest to the pixel. False: no side of a polygon there.
+bool insertCornerAt(ToolContext& context, glm::vec2 pixel, std::string& message);
+/// The polygon without the corner. Nothing where there is no such corner; one with three keeps them and is refused.
+Edit removeCornerEdit(const Project& project, Id obstacle, int corner);
+
+}  // namespace windloom::editor
