@@ -283,7 +283,6 @@ void App::tellMap() {
   map.fact("terrain", document.project().terrain->heights ? document.project().terrain->file : "flat");
   map.fact("scene", m_live->session() ? "yes" : "no");
   map.fact("playing", m_live->session() && m_live->session()->playing() ? "yes" : "no");
-  map.fact("time", m_live->session() ? std::to_string(m_live->session()->time()) : "");
   map.fact("help", m_helpOpen ? "yes" : "no");
   map.fact("palette", m_palette.isOpen() ? "yes" : "no");
   map.fact("strokes", std::to_string(m_workspace.strokes.size()));

@@ -36,13 +36,14 @@ TEST_P(WindSamples, BlowTheSameOnBothBackends) {
     ASSERT_TRUE(loaded.ok()) << loaded.error().text();
     const glm::ivec2 whole = loaded->project.field->resolution;
     const std::optional<glm::ivec2> resolution =
-        full() ? std::nullopt : std::optional(whole * 90 / std::max(whole.x, whole.y));
+        full() ? std::nullopt : std::optional(whole * 96 / std::max(whole.x, whole.y));
     const auto gpu = simulate(loaded->project, Backend::Gpu, resolution),
                cpu = simulate(loaded->project, Backend::Cpu, resolution);
     ASSERT_TRUE(gpu && cpu);
     ASSERT_EQ(gpu->solver().backend(), Backend::Gpu);
     ASSERT_EQ(cpu->solver().backend(), Backend::Cpu);
-    // On a grid as coarse as the short form's the canyon is a matter of chance by then, to rounding.
+    // On a grid as coarse as the short form's the canyon is a matter of chance by then, to rounding; and so it is whether
+    // an arrow blows in a cell whose centre lies exactly on its rim: with 96 cells none does.
     for (int n = 0; n < (full() ? 100 : 50); ++n) {
       gpu->step();
       cpu->step();
