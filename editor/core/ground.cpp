@@ -15,9 +15,11 @@ std::optional<float> hitFlat(const Ray& ray, float reach) {
 }  // namespace
 
 std::optional<glm::vec2> hitGround(const Ray& ray, const Ground& ground, float reach) {
-  const auto t = ground.height ? hitHeights(*ground.height, ray.origin, ray.direction, reach) : hitFlat(ray, reach);
+  const Ray lowered{ray.origin - glm::vec3(0.0f, ground.over, 0.0f), ray.direction};
+  const auto t =
+      ground.height ? hitHeights(*ground.height, lowered.origin, lowered.direction, reach) : hitFlat(lowered, reach);
   if (!t) return std::nullopt;
-  const glm::vec3 place = ray.origin + *t * ray.direction;
+  const glm::vec3 place = lowered.origin + *t * lowered.direction;
   return glm::vec2(place.x, place.z);
 }
 

@@ -144,6 +144,7 @@ void Workspace::takeTerrain() {
 
 void Workspace::followGround() {
   ground.height = document.project().terrain->heights;
+  ground.over = markHeight(*document.project().grass);
 }
 
 /// Hills would hide everything from below.

@@ -41,7 +41,7 @@ class Workspace {
   ActionTable actions;   ///< core actions are in it; the app adds its own
   DocumentFlow flow{document};
   Preferences preferences;
-  Ground ground;  ///< follows the document's terrain
+  Ground ground;  ///< follows the document's terrain and the height of its grass
   TerrainLoad terrainLoad;
   glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
 

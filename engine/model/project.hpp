@@ -160,6 +160,11 @@ inline float shownDensity(const GrassSettings& grass) {
   return grass.kind == GrassKind::None ? 0.0f : grass.density;
 }
 
+/// Height over the ground at which wind trees are drawn and taken hold of, m: most blades end there.
+inline float markHeight(const GrassSettings& grass) {
+  return grass.kind == GrassKind::None ? 0.0f : 0.8f * grass.height;
+}
+
 template <class T>
 using Shared = std::shared_ptr<const T>;
 

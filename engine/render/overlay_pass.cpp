@@ -5,7 +5,6 @@
 namespace windloom {
 namespace {
 
-constexpr float kTips = 0.8f;        // of the grass height: most blades end there
 constexpr float kLeadHeights = 1.5f; // of the grass height
 constexpr float kLeastLead = 0.25f;  // m
 
@@ -47,8 +46,8 @@ void OverlayPass::draw(const FrameInput& input, unsigned framebuffer, OverlayDet
   const gpu::DebugGroup group("overlays");
   const Overlays& overlays = input.overlays;
   m_noVertices.bind();
-  const float tall = input.project->grass->height;
-  const OverlayLift lift{kTips * tall, std::max(kLeadHeights * tall, kLeastLead)};
+  const GrassSettings& grass = *input.project->grass;
+  const OverlayLift lift{markHeight(grass), std::max(kLeadHeights * grass.height, kLeastLead)};
   const gpu::PassState state{
       .framebuffer = framebuffer, .viewport = {0, 0, input.size.x, input.size.y}, .blend = gpu::Blend::Premultiplied};
   if (overlays.map != GroundMap::None) {

@@ -54,6 +54,21 @@ def play(rows):
     rows.row("time goes on", lambda: None, lambda: float(app.fact("time")) > 0)
 
 
+def seeing(rows):
+    """What the picture shows: digits for the grass and the overlays."""
+    app, says = rows.app, rows.says
+    # Ground maps take turns, marks and lines add up.
+    for key, shown in (("6", "arrows streamlines"), ("7", "arrows streamlines speed"),
+                       ("8", "arrows streamlines divergence"), ("9", "arrows streamlines lic"), ("9", "arrows streamlines"),
+                       ("6", "arrows"), ("5", ""), ("5", "arrows")):
+        rows.row(f"{key} leaves {shown or 'nothing'} shown", key, lambda: sorted(app.fact("overlays").split()) == sorted(shown.split()))
+    rows.row("4 leaves the ground bare", "4", says("status.blades", "0 / 0 blades"))
+    rows.row("1 is instanced grass", "1", lambda: not app.fact("status.blades").endswith("/ 0 blades"))
+    check(rows.saved()["grass"]["kind"] == "instanced", "the kind of grass is the project's")
+    app.key("ctrl+z", "ctrl+z")
+    app.wait_fact("steps", "0")
+
+
 def windows(rows):
     app, says = rows.app, rows.says
     rows.row("F1 shows the keys", "F1", says("help", "yes"))
@@ -179,6 +194,7 @@ def main():
             rows = Rows(app, project)
             view = views(rows)
             play(rows)
+            seeing(rows)
             windows(rows)
             edits(rows, view)
             polygon(rows, view)
