@@ -24,6 +24,7 @@ Workspace::Workspace() {
     }
   };
   flow.onFileUsed = [this](const std::filesystem::path& path) { preferences.usedFile(path); };
+  followGround();
   registerCoreActions(*this);
 }
 

@@ -136,6 +136,7 @@ void InstancedGrass::draw(const gpu::PassState& state) {
 }
 
 long long InstancedGrass::bladesDrawn() {
+  if (empty()) return 0;  // no grass: nothing was counted for a while
   if (const auto arrived = m_counts.poll()) {
     GrassCommands commands{};
     std::memcpy(&commands, arrived->bytes.data(), sizeof commands);

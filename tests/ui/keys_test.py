@@ -67,6 +67,7 @@ def seeing(rows):
     check(rows.saved()["grass"]["kind"] == "instanced", "the kind of grass is the project's")
     app.key("ctrl+z", "ctrl+z")
     app.wait_fact("steps", "0")
+    rows.saved()
 
 
 def windows(rows):

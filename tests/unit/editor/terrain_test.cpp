@@ -104,12 +104,12 @@ TEST_F(TerrainInEditor, BringsAFileInAsOneStepThatUndoTakesBack) {
   EXPECT_EQ(terrain().file, "assets/corner.png");
   EXPECT_TRUE(fs::exists(m_folder / "project/assets/corner.png"));
   EXPECT_EQ(terrain().size, w().document.project().field->size) << "a first height map covers the field";
-  EXPECT_FLOAT_EQ(w().ground.at({50, 50}), 10.0f);
+  EXPECT_FLOAT_EQ(w().ground.at({50, 50}) - w().ground.over, 10.0f);
   w().undo();
   EXPECT_EQ(terrain().kind, TerrainKind::Flat);
-  EXPECT_EQ(w().ground.at({50, 50}), 0.0f);
+  EXPECT_EQ(w().ground.at({50, 50}), w().ground.over);
   w().redo();
-  EXPECT_FLOAT_EQ(w().ground.at({50, 50}), 10.0f);
+  EXPECT_FLOAT_EQ(w().ground.at({50, 50}) - w().ground.over, 10.0f);
   ASSERT_TRUE(w().document.save());
   const auto again = loadProject(m_folder / "project/a.wind.json");
   ASSERT_TRUE(again.ok() && again->missing.empty());
@@ -161,7 +161,7 @@ TEST_F(TerrainInEditor, OpensAProjectWhoseTerrainIsLost) {
   w().flow.requestOpen(m_folder / "project/a.wind.json");
   EXPECT_NE(m_failure.find("/terrain/file"), std::string::npos) << m_failure;
   EXPECT_EQ(w().document.path(), m_folder / "project/a.wind.json");
-  EXPECT_EQ(w().ground.at({50, 50}), 0.0f);
+  EXPECT_EQ(w().ground.at({50, 50}), w().ground.over);
   ASSERT_TRUE(w().document.save());
   EXPECT_EQ(*readFile(m_folder / "project/a.wind.json"), saved) << "saving loses nothing";
 }
