@@ -30,7 +30,7 @@ bool MapPass::Key::operator==(const Key& other) const {
   return map == other.map && wind == other.wind && grid.minCorner == other.grid.minCorner &&
          grid.size == other.grid.size && grid.resolution == other.grid.resolution && time == other.time &&
          camera == other.camera && size == other.size && target == other.target && ranges == other.ranges &&
-         field == other.field && ambient == other.ambient && obstacles == other.obstacles;
+         field == other.field && ambient == other.ambient && obstacles == other.obstacles && ground == other.ground;
 }
 
 Result<MapPass> MapPass::create(gpu::ShaderLibrary& shaders) {
@@ -81,7 +81,8 @@ bool MapPass::drawSmall(const FrameInput& input, const GroundArea& area, int gra
           {overlays.speedRange, overlays.divergenceRange, overlays.vorticityRange},
           project.field,
           project.ambient,
-          project.obstacles};
+          project.obstacles,
+          project.terrain->heights};
   if (key == m_key) return true;
   m_key = std::move(key);
   const gpu::DebugGroup group("small ground map");
@@ -94,7 +95,8 @@ bool MapPass::drawSmall(const FrameInput& input, const GroundArea& area, int gra
 
 void MapPass::draw(const FrameInput& input, gpu::PassState state, OverlayLift lift, OverlayDetail detail) {
   const Overlays& overlays = input.overlays;
-  const GroundArea area = seenArea(input.camera, input.size, *input.project->field, input.project->terrain->heights.get());
+  const GroundArea area =
+      seenArea(input.camera, input.size, *input.project->field, input.project->terrain->heights.get());
   if (overlays.map == GroundMap::None || area.empty()) return;
   const int grain = grainOf(overlays.map, detail);
   m_divergence->set("range", std::max(overlays.divergenceRange, 1e-6f));

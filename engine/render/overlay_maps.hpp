@@ -34,6 +34,7 @@ class MapPass {
     Shared<FieldSettings> field;
     Shared<AmbientWind> ambient;
     Shared<std::vector<Obstacle>> obstacles;
+    Shared<HeightField> ground;
     bool operator==(const Key& other) const;
   };
   [[nodiscard]] const gpu::Program& program(GroundMap map) const;

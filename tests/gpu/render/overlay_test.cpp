@@ -5,6 +5,7 @@
 
 #include "tests/gpu/gpu_test.hpp"
 #include "tests/gpu/render/picture.hpp"
+#include "tests/height_fixture.hpp"
 
 namespace windloom {
 namespace {
@@ -300,6 +301,18 @@ TEST_F(Overlay, StreaksFollowAChangedRangeWhileTheTimeRests) {
   EXPECT_EQ(before.rgba, picture().rgba);
   m_input.overlays.speedRange = 5.0f;
   EXPECT_GT(difference(before, picture()), 10.0f);
+}
+
+TEST_F(Overlay, StreaksFollowChangedGroundWhileTheTimeRests) {
+  blow([](glm::vec2) { return glm::vec2(4.0f, 0.0f); });
+  m_input.overlays.map = GroundMap::Lic;
+  m_input.camera.position += glm::vec3(0.0f, 0.0f, 8.0f);  // from above nothing moves with its height
+  m_input.camera.target = {0.0f, 0.0f, 0.0f};
+  (void)picture();
+  m_project.terrain = testing::terrainOf(testing::heightsFrom({9, 9}, {60, 60}, [](glm::vec2) { return 6.0f; }));
+  const Picture after = picture();
+  m_input.time += 1e-9;  // drawn anew
+  EXPECT_LT(difference(after, picture()), 0.01f);
 }
 
 TEST_F(Overlay, WindVectorsShow) {
