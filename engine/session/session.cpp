@@ -65,7 +65,7 @@ class SessionImpl final : public Session {
   void setLoop(const LoopRange& loop) override;
   [[nodiscard]] const LoopRange& loop() const override { return m_loop; }
   [[nodiscard]] double time() const override { return m_simulation->time(); }
-  void setTransientForces(std::span<const ArrowForce> forces) override { m_simulation->setTransientForces(forces); }
+  void setTransientForces(std::span<const ArrowForce> forces) override;
   void advance(double wallSeconds) override;
   void runTo(double seconds) override;
   void draw(const View& view) override;
@@ -94,6 +94,7 @@ class SessionImpl final : public Session {
   WindWatch m_watch;
   LoopRange m_loop;
   std::optional<Seek> m_seek;
+  std::vector<ArrowForce> m_transient;
   std::unique_ptr<Simulation> m_simulation;
   std::optional<LiveGridControl> m_grid;  // where the live grid may be coarser
   LiveGrid m_liveGrid = LiveGrid::Automatic;
@@ -135,11 +136,13 @@ Status SessionImpl::fitGrid() {
 Status SessionImpl::setProject(const Project& project) {
   const Shared<FieldSettings> field = m_simulation->project().field;
   const Shared<SolverSettings> solver = m_simulation->project().solver;
+  const double oldStep = timeStep();
   if (Status set = m_simulation->setProject(project); !set) return set;
   m_copiedStep = -1;
   m_simulation->pinCheckpoint(m_loop.on ? m_simulation->stepAt(m_loop.in) : 0);
   // What was done of the way so far belongs to the old project.
-  if (m_seek && !m_simulation->runsFromStart()) seek(static_cast<double>(m_seek->target) * timeStep());
+  const bool otherWay = !m_simulation->runsFromStart() || timeStep() != oldStep;
+  if (m_seek && otherWay) seek(static_cast<double>(m_seek->target) * oldStep);
   if (field != project.field || solver->backend != project.solver->backend) return fitGrid();
   return Done{};
 }
@@ -197,6 +200,10 @@ void SessionImpl::setLoop(const LoopRange& loop) {
   m_simulation->pinCheckpoint(m_loop.on ? m_simulation->stepAt(m_loop.in) : 0);
 }
 
+void SessionImpl::setTransientForces(std::span<const ArrowForce> forces) {
+  m_transient.assign(forces.begin(), forces.end());
+}
+
 /// Steps towards the target for a part of a frame.
 void SessionImpl::seekSlice() {
   const auto start = Clock::now();
@@ -210,6 +217,8 @@ void SessionImpl::seekSlice() {
 }
 
 void SessionImpl::step() {
+  // What is combed while time is on its way would not be the wind that running from the start gives.
+  m_simulation->setTransientForces(m_seek ? std::span<const ArrowForce>() : m_transient);
   const auto start = Clock::now();
   m_simulation->step();
   const double wallMs = msSince(start);
@@ -255,6 +264,7 @@ void SessionImpl::advance(double wallSeconds) {
 }
 
 void SessionImpl::runTo(double seconds) {
+  m_simulation->setTransientForces(m_transient);
   m_simulation->runTo(seconds);
   m_copiedStep = -1;
 }

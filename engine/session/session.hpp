@@ -78,7 +78,7 @@ class Session {
   virtual void setLoop(const LoopRange& loop) = 0;
   [[nodiscard]] virtual const LoopRange& loop() const = 0;
 
-  /// Forces beside the project's in the steps from now on, until they are set again (the wind brush).
+  /// Forces beside the project's in the steps from now on, but for those of a seek, until set again (the wind brush).
   virtual void setTransientForces(std::span<const ArrowForce> forces) = 0;
 
   /// While seeking, runs the steps that fit in a slice of a frame. While playing, runs the steps that `wallSeconds` of

@@ -231,6 +231,49 @@ TEST_F(LiveSession, SeeksInSlicesAndGivesTheSameWindAgain) {
   }
 }
 
+void arrive(Session& session, double target) {
+  session.seek(target);
+  for (int frame = 0; session.seeking() && frame < 5000; ++frame) session.advance(1.0 / 30);
+  EXPECT_NEAR(session.time(), target, 0.02);
+}
+
+TEST_F(LiveSession, TheBrushDoesNotReachIntoASeek) {
+  const auto session = open(breezeProject({32, 32}));
+  ASSERT_NE(session, nullptr);
+  arrive(*session, 0.5);
+  const glm::vec2 untouched = session->windAt({6.0f, 0.0f});
+  session->restart();
+  ArrowForce stroke{};
+  stroke.from = {0, 0};
+  stroke.to = {12, 0};
+  stroke.direction = {1, 0};
+  stroke.radius = 3;
+  stroke.strength = 12;
+  stroke.response = 0.05f;
+  stroke.factor = 1;
+  stroke.drive = ARROW_DRIVE_SPEED;
+  session->setTransientForces(std::span(&stroke, 1));
+  arrive(*session, 0.5);
+  EXPECT_EQ(session->windAt({6.0f, 0.0f}), untouched);
+  for (int step = 0; step < 10; ++step) session->stepOnce();
+  EXPECT_GT(session->windAt({6.0f, 0.0f}).x, untouched.x + 2.0f) << "but into what is played";
+}
+
+TEST_F(LiveSession, ASeekKeepsItsTimeWhereTheTimeStepChanges) {
+  Project project = breezeProject({64, 64});
+  const auto session = open(project);
+  ASSERT_NE(session, nullptr);
+  session->seek(3600);
+  session->advance(1.0 / 30);
+  ASSERT_TRUE(session->seeking().has_value());
+  FieldSettings field = *project.field;
+  field.timeStep *= 2;
+  project.field = std::make_shared<FieldSettings>(field);
+  ASSERT_TRUE(session->setProject(project).ok());
+  ASSERT_TRUE(session->seeking().has_value());
+  EXPECT_NEAR(session->seeking()->target, 3600, 0.1);
+}
+
 TEST_F(LiveSession, ACancelledSeekStaysWhereItCameTo) {
   const auto session = open(breezeProject({64, 64}));
   ASSERT_NE(session, nullptr);
