@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstring>
 
 #include "engine/core/file.hpp"
 #include "engine/io/json_document.hpp"
@@ -71,6 +72,15 @@ std::string pathBelow(const fs::path& file, const fs::path& folder) {
   return relative.generic_string();
 }
 
+/// The JSON of a glTF file, which stands alone or as the first chunk of a binary one, whatever the file is called.
+std::string_view jsonOf(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (!bytes.starts_with("glTF") || bytes.size() < kHeader + kChunkHeader) return bytes;
+  std::uint32_t length = 0;  // little endian, as the file is
+  std::memcpy(&length, bytes.data() + kHeader, sizeof length);
+  return bytes.substr(kHeader + kChunkHeader, length);
+}
+
 std::string numbered(const std::string& stem, int number) {
   return number == 1 ? stem : stem + "-" + std::to_string(number);
 }
@@ -79,10 +89,10 @@ std::string numbered(const std::string& stem, int number) {
 
 Result<std::vector<std::string>> terrainCompanions(const fs::path& file) {
   std::vector<std::string> names;
-  if (file.extension() != ".gltf") return names;
+  if (terrainKindOf(file) != TerrainKind::Mesh) return names;
   const Result<std::string> text = readFile(file, kMaxTerrainBytes);
   if (!text) return text.error();
-  const JsonDocument document = JsonDocument::parse(*text, nullptr, false);
+  const JsonDocument document = JsonDocument::parse(jsonOf(*text), nullptr, false);
   if (!document.is_object())
     return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");
   for (const char* list : {"buffers", "images"}) {

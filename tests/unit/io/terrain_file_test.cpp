@@ -279,6 +279,28 @@ TEST_F(TerrainFiles, MeshesBringWhatTheyReferTo) {
   EXPECT_SAYS(lost.error().text(), "ground.bin");
 }
 
+TEST_F(TerrainFiles, MeshesBringWhatTheyReferToWhateverTheirEnding) {
+  const fs::path project = m_folder / "project";
+  ASSERT_TRUE(makeFolder(project));
+  fs::rename(putGltf({}, "model/loud.gltf"), m_folder / "model/LOUD.GLTF");
+  const auto loud = bringTerrainFile(m_folder / "model/LOUD.GLTF", project);
+  ASSERT_TRUE(loud.ok()) << loud.error().text();
+  EXPECT_TRUE(readTerrainFile(project / *loud, TerrainKind::Mesh).ok());
+
+  const std::string json = Gltf{}.json();
+  std::string binary = "glTF";
+  const auto add = [&](std::uint32_t value) { binary.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  add(2);
+  const std::string padded = json + std::string((4 - json.size() % 4) % 4, ' ');
+  add(static_cast<std::uint32_t>(20 + padded.size()));
+  add(static_cast<std::uint32_t>(padded.size()));
+  binary += "JSON" + padded;
+  put("model/outside.glb", binary);
+  const auto outside = bringTerrainFile(m_folder / "model/outside.glb", project);
+  ASSERT_TRUE(outside.ok()) << outside.error().text();
+  EXPECT_TRUE(readTerrainFile(project / *outside, TerrainKind::Mesh).ok()) << "its buffer lies in a file of its own";
+}
+
 TEST_F(TerrainFiles, GoAlongButNeverOverAnotherFile) {
   putGltf({}, "a/terrain/ground.gltf");
   ASSERT_TRUE(makeFolder(m_folder / "b"));
