@@ -149,6 +149,10 @@ bool SelectTool::onKey(ToolContext& context, const KeyPress& press) {
   if (press.modifiers.any() || (press.key != Key::Delete && press.key != Key::X)) return false;
   const std::optional<Grip> corner = m_hot && m_hot->kind == GripKind::Corner ? m_hot : m_corner;
   if (!corner || context.selection.active() != corner->obstacle) return false;
+  // Undo may have changed the corners since: only the one that was meant goes.
+  const std::vector<Grip> grips = gripsOf(context, m_kind);
+  const auto same = std::ranges::find(grips, *corner);
+  if (same == grips.end() || same->place != corner->place) return false;
   const Edit edit = removeCornerEdit(context.document.committed(), corner->obstacle, corner->index);
   if (edit.steps.empty()) return false;
   m_hot.reset();

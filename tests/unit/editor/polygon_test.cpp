@@ -155,6 +155,20 @@ TEST(PolygonCorners, DelTakesTheHoveredOrClickedOneOut) {
   EXPECT_TRUE(b.project().obstacles->empty()) << "elsewhere Del deletes the obstacle";
 }
 
+TEST(PolygonCorners, DelAfterUndoDoesNotTakeAnotherCorner) {
+  Bench b;
+  drawPolygon(b, {{0, 0}, {10, 0}, {10, 8}, {0, 8}});
+  b.key("Q");
+  b.click({5, 0}, kCtrl);
+  ASSERT_EQ(only(b).points.size(), 5u);
+  b.click({5, 0});
+  b.hover({30, 30});
+  b.w.undo();
+  ASSERT_EQ(only(b).points.size(), 4u);
+  b.key("Del");
+  EXPECT_TRUE(b.project().obstacles->empty()) << "the corner that was clicked is gone: the selection goes";
+}
+
 TEST(OutlineHandles, DragTheRadiusOfACircle) {
   Bench b;
   add(b, ObstacleShape::Circle);
