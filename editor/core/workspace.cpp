@@ -139,7 +139,13 @@ void Workspace::takeTerrain() {
     if (flow.onFailure) flow.onFailure(loaded->error());
     return;
   }
-  const std::string name = std::filesystem::path((**loaded)->file).filename().string();
+  const std::filesystem::path file = (**loaded)->file;
+  const std::string name = file.filename().string();
+  std::error_code ignored;
+  if (!std::filesystem::exists(document.path().parent_path() / file, ignored)) {
+    say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+    return;
+  }
   if (apply(terrainEdit(document.committed(), **loaded))) say(MessageKind::Info, "The ground is " + name);
 }
 

@@ -152,6 +152,15 @@ TEST_F(TerrainInEditor, GoesAlongIntoAnotherFolder) {
   EXPECT_TRUE(again->missing.empty());
 }
 
+TEST_F(TerrainInEditor, IsNotTakenWhereTheProjectMovedMeanwhile) {
+  ASSERT_TRUE(w().loadTerrain(m_folder / "elsewhere/corner.png"));
+  ASSERT_TRUE(makeFolder(m_folder / "other"));
+  ASSERT_TRUE(w().document.saveAs(m_folder / "other/b.wind.json"));
+  waitForTerrain(w());
+  EXPECT_EQ(terrain().kind, TerrainKind::Flat) << "its file lies in the folder of before";
+  EXPECT_NE(w().message().text.find("choose corner.png again"), std::string::npos) << w().message().text;
+}
+
 TEST_F(TerrainInEditor, OpensAProjectWhoseTerrainIsLost) {
   ASSERT_TRUE(w().loadTerrain(m_folder / "elsewhere/corner.png"));
   waitForTerrain(w());
