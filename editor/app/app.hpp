@@ -43,6 +43,7 @@ class App {
   App(const CommandLine& line, std::unique_ptr<Window> window);
   void connect();          // workspace to window, dialogs, live view
   void registerActions();  // what is not the core's: play, overlays, view, help
+  void registerPlayActions();
   void registerTimeActions();
   void registerSolverActions();
   void registerViewActions();

@@ -30,13 +30,47 @@ constexpr OverlayEntry kOverlayEntries[] = {
 
 void App::registerActions() {
   ActionTable& actions = m_workspace.actions;
-  const auto hasSession = [this] { return m_live->session() != nullptr; };
   actions.add({.id = "file.export",
                .label = "Export...",
                .category = "File",
                .help = "Records the wind for a game.",
                .shortcuts = {{Key::E, {.ctrl = true, .shift = true}}},
                .run = [this] { m_export.show(); }});
+  registerPlayActions();
+  actions.add({.id = "edit.rename",
+               .label = "Rename",
+               .category = "Edit",
+               .help = "Gives what is selected a name, in the outliner.",
+               .shortcuts = {{Key::F2, {}}},
+               .run =
+                   [this] {
+                     if (!m_outliner.rename(m_workspace.document.project(), m_workspace.selection.active()))
+                       m_workspace.say(MessageKind::Warning, "Points within a tree are named in the inspector");
+                   },
+               .enabled = [this] { return !m_workspace.selection.empty(); }});
+  registerSolverActions();
+  registerViewActions();
+  actions.add({.id = "help.keys",
+               .label = "Keys and mouse",
+               .category = "Help",
+               .help = "All shortcuts and gestures.",
+               .shortcuts = {{Key::F1, {}}},
+               .run = [this] { m_helpOpen = !m_helpOpen; },
+               .checked = [this] { return m_helpOpen; }});
+  actions.add({.id = "help.palette",
+               .label = "Find a command",
+               .category = "Help",
+               .help = "Every command by name.",
+               .shortcuts = {{Key::F3, {}}, {Key::P, {.ctrl = true, .shift = true}}},
+               .run = [this] { m_palette.open(); }});
+  actions.add({.id = "help.about", .label = "About Windloom", .category = "Help", .help = "", .run = [this] {
+                 m_aboutOpen = true;
+               }});
+}
+
+void App::registerPlayActions() {
+  ActionTable& actions = m_workspace.actions;
+  const auto hasSession = [this] { return m_live->session() != nullptr; };
   actions.add({.id = "play.toggle",
                .label = "Play",
                .category = "Play",
@@ -67,7 +101,7 @@ void App::registerActions() {
   actions.add({.id = "play.restart",
                .label = "Restart",
                .category = "Play",
-               .help = "Back to time 0 with still air.",
+               .help = "Back to time 0 and the ambient wind.",
                .shortcuts = {{Key::Space, {.shift = true}}},
                .run = [this] { m_live->session()->restart(); },
                .enabled = hasSession});
@@ -80,35 +114,6 @@ void App::registerActions() {
        .run =
            [this] { m_live->setLiveGrid(m_live->liveGrid() == LiveGrid::Full ? LiveGrid::Automatic : LiveGrid::Full); },
        .checked = [this] { return m_live->liveGrid() == LiveGrid::Full; }});
-  actions.add({.id = "edit.rename",
-               .label = "Rename",
-               .category = "Edit",
-               .help = "Gives what is selected a name, in the outliner.",
-               .shortcuts = {{Key::F2, {}}},
-               .run =
-                   [this] {
-                     if (!m_outliner.rename(m_workspace.document.project(), m_workspace.selection.active()))
-                       m_workspace.say(MessageKind::Warning, "Points within a tree are named in the inspector");
-                   },
-               .enabled = [this] { return !m_workspace.selection.empty(); }});
-  registerSolverActions();
-  registerViewActions();
-  actions.add({.id = "help.keys",
-               .label = "Keys and mouse",
-               .category = "Help",
-               .help = "All shortcuts and gestures.",
-               .shortcuts = {{Key::F1, {}}},
-               .run = [this] { m_helpOpen = !m_helpOpen; },
-               .checked = [this] { return m_helpOpen; }});
-  actions.add({.id = "help.palette",
-               .label = "Find a command",
-               .category = "Help",
-               .help = "Every command by name.",
-               .shortcuts = {{Key::F3, {}}, {Key::P, {.ctrl = true, .shift = true}}},
-               .run = [this] { m_palette.open(); }});
-  actions.add({.id = "help.about", .label = "About Windloom", .category = "Help", .help = "", .run = [this] {
-                 m_aboutOpen = true;
-               }});
 }
 
 void App::registerTimeActions() {
