@@ -250,7 +250,8 @@ void App::openDropped() {
       m_workspace.loadTerrain(path);
       continue;
     }
-    m_workspace.say(MessageKind::Warning, path.filename().string() + ": drop a project (NAME.wind.json), or terrain (.png, .glb, .gltf)");
+    m_workspace.say(MessageKind::Warning,
+                    path.filename().string() + ": drop a project (NAME.wind.json), or terrain (.png, .glb, .gltf)");
   }
 }
 

@@ -213,7 +213,8 @@ Status restoreRescue(Document& document, const Rescue& rescue) {
   Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
   if (!loaded) return loaded.error();
   if (!rescue.original.empty()) {
-    if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain) logWarning(terrain.error().text());
+    if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain)
+      logWarning(terrain.error().text());
   }
   document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
   return Done{};

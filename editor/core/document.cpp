@@ -104,7 +104,9 @@ Status Document::save() {
 Status Document::saveAs(const std::filesystem::path& path) {
   if (!m_path.empty()) {
     std::error_code ignored;
-    const auto folderOf = [&](const std::filesystem::path& file) { return std::filesystem::absolute(file, ignored).parent_path(); };
+    const auto folderOf = [&](const std::filesystem::path& file) {
+      return std::filesystem::absolute(file, ignored).parent_path();
+    };
     const Status copied = copyTerrainAlong(committed().terrain->file, folderOf(m_path), folderOf(path));
     if (!copied) return copied;
   }

@@ -28,8 +28,8 @@ Sizes sizesOf(const Project& project, double fps) {
   const std::int64_t cells = std::int64_t{project.field->resolution.x} * project.field->resolution.y;
   const double area = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
   const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
-  return {cells, static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass))), cells * kFieldBytes,
-          perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
+  return {cells, static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass))),
+          cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
 }
 
 std::string_view signalName(const Project& project, Id root) {
@@ -104,13 +104,16 @@ void printTerrain(const TerrainSettings& terrain) {
     return;
   }
   const HeightSource& source = *field->source;
-  const std::string from = source.triangles > 0 ? std::to_string(source.triangles) + " triangles"
-                                                : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
-  std::printf("terrain    %s, %s, %s as %d x %d samples (%s)\n", std::string(terrainName(terrain)).c_str(), terrain.file.c_str(),
-              from.c_str(), source.samples.x, source.samples.y, megabytes(static_cast<double>(field->bytes())).c_str());
+  const std::string from = source.triangles > 0
+                               ? std::to_string(source.triangles) + " triangles"
+                               : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
+  std::printf("terrain    %s, %s, %s as %d x %d samples (%s)\n", std::string(terrainName(terrain)).c_str(),
+              terrain.file.c_str(), from.c_str(), source.samples.x, source.samples.y,
+              megabytes(static_cast<double>(field->bytes())).c_str());
   std::printf("           x %s to %s m, z %s to %s m, %s to %s m high\n", metres(field->low.x).c_str(),
               metres(field->low.x + field->size.x).c_str(), metres(field->low.y).c_str(),
-              metres(field->low.y + field->size.y).c_str(), metres(field->lowest()).c_str(), metres(field->highest()).c_str());
+              metres(field->low.y + field->size.y).c_str(), metres(field->lowest()).c_str(),
+              metres(field->highest()).c_str());
 }
 
 void printInfoJson(const Options& options, const Project& project, const std::vector<Id>& roots,

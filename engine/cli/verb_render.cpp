@@ -50,7 +50,8 @@ Error usage(const std::string& message) {
 
 Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
   const std::vector<Camera>& cameras = *project.cameras;
-  if (options.camera.empty()) return cameras.empty() ? frameField(*project.field, project.terrain->heights.get()) : viewThrough(cameras.front());
+  if (options.camera.empty())
+    return cameras.empty() ? frameField(*project.field, project.terrain->heights.get()) : viewThrough(cameras.front());
   std::string names = "above";
   for (const Camera& camera : cameras) {
     if (camera.name == options.camera) return viewThrough(camera);
@@ -218,7 +219,8 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, none")->type_name("KIND");
+  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, none")
+      ->type_name("KIND");
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
       ->check(CLI::Range(0.0, 5000.0));

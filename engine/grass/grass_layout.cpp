@@ -76,10 +76,12 @@ GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout,
   block.tipColour = {grass.tipColour, grass.heightVariation};
   block.dryColour = {grass.dryColour, grass.dryness};
   block.size = {grass.width, tallest, grass.clumping, arc};
-  block.motion = {grass.windFactor / std::max(grass.stiffness, 1e-3f), grass.stiffnessVariation, grass.flutter, grass.restBlend};
+  block.motion = {grass.windFactor / std::max(grass.stiffness, 1e-3f), grass.stiffnessVariation, grass.flutter,
+                  grass.restBlend};
   block.droop = {grass.droopDown, grass.droopForward, density, static_cast<float>(grass.seed & 0xffffff)};
   block.shadow = {grass.shadowMin, grass.shadowMax, grass.shadowWind, grass.shadowOffset};
-  block.tiles = {static_cast<float>(layout.tiles.x), static_cast<float>(layout.tiles.y), layout.tileSideM, layout.bladesInTile};
+  block.tiles = {static_cast<float>(layout.tiles.x), static_cast<float>(layout.tiles.y), layout.tileSideM,
+                 layout.bladesInTile};
   block.tileOrigin = {layout.origin, kMeadowMarginM, 0.0f};
   block.cover = {kLeastPixels / quality, kMostWidening, quality, kFadePixels / std::sqrt(quality)};
   const float coarser = 1.0f / std::sqrt(quality);

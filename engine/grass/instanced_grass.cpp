@@ -35,8 +35,8 @@ bool sameLists(const GrassLayout& a, const GrassLayout& b) {
 Result<InstancedGrass> InstancedGrass::create(gpu::ShaderLibrary& shaders) {
   InstancedGrass grass;
   const std::pair<std::string_view, gpu::Program**> programs[] = {
-      {"grass/cull tiles", &grass.m_cull},       {"grass/place blades", &grass.m_place},
-      {"grass/blade near", &grass.m_blade[0]},   {"grass/blade middle", &grass.m_blade[1]},
+      {"grass/cull tiles", &grass.m_cull},     {"grass/place blades", &grass.m_place},
+      {"grass/blade near", &grass.m_blade[0]}, {"grass/blade middle", &grass.m_blade[1]},
       {"grass/blade far", &grass.m_blade[2]},
   };
   for (const auto& [name, slot] : programs) {
@@ -60,7 +60,8 @@ Result<InstancedGrass> InstancedGrass::create(gpu::ShaderLibrary& shaders) {
 /// How high the ground lies in each tile. Flat ground needs none, but a declared buffer wants something bound.
 Status InstancedGrass::setBounds(const GrassLayout& layout, const HeightField* ground) {
   if (ground == nullptr && m_bounds.name() != 0) return Done{};
-  const std::vector<glm::vec2> bounds = ground != nullptr ? groundInTiles(layout, *ground) : std::vector{glm::vec2(0.0f)};
+  const std::vector<glm::vec2> bounds =
+      ground != nullptr ? groundInTiles(layout, *ground) : std::vector{glm::vec2(0.0f)};
   if (bounds.empty()) return Done{};
   Result<gpu::Buffer> buffer = gpu::Buffer::create("grass bounds", std::span<const glm::vec2>(bounds));
   if (!buffer) return buffer.error();
@@ -72,7 +73,8 @@ Status InstancedGrass::configure(const FieldSettings& field, const GrassSettings
   const GrassLayout layout = makeGrassLayout(field, grass);
   if (!sameLists(layout, m_layout) && layout.chunkLimit > 0) {
     const std::size_t blades = static_cast<std::size_t>(layout.capacity.x) + layout.capacity.y + layout.capacity.z;
-    Result<gpu::Buffer> chunks = gpu::Buffer::create("grass chunks", layout.chunkLimit * sizeof(GrassChunk), gpu::BufferUse::Static);
+    Result<gpu::Buffer> chunks =
+        gpu::Buffer::create("grass chunks", layout.chunkLimit * sizeof(GrassChunk), gpu::BufferUse::Static);
     if (!chunks) return chunks.error();
     Result<gpu::Buffer> list = gpu::Buffer::create("grass blades", blades * sizeof(GrassBlade), gpu::BufferUse::Static);
     if (!list) return list.error();

@@ -281,7 +281,8 @@ std::string signalKeyProblem(const SignalKey& key) {
 std::string terrainFileProblem(std::string_view file) {
   if (file.empty()) return {};
   const auto refuse = [&](const char* why) {
-    return "found '" + std::string(file) + "', " + why + ": expected a path below the project's folder with '/' between folders";
+    return "found '" + std::string(file) + "', " + why +
+           ": expected a path below the project's folder with '/' between folders";
   };
   if (file.front() == '/') return refuse("an absolute path");
   if (file.find('\\') != file.npos) return refuse("which holds a backslash");

@@ -20,7 +20,9 @@ void fillFrustum(const glm::mat4& viewProjection, glm::vec4 (&planes)[6]) {
   for (glm::vec4& plane : planes) plane /= std::max(glm::length(glm::vec3(plane)), 1e-12f);
 }
 
-glm::vec3 forwardOf(const glm::mat4& view) { return -glm::vec3(view[0][2], view[1][2], view[2][2]); }
+glm::vec3 forwardOf(const glm::mat4& view) {
+  return -glm::vec3(view[0][2], view[1][2], view[2][2]);
+}
 
 }  // namespace
 

@@ -47,8 +47,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass), std::move(*backdrop), std::move(*ground), std::move(*solids),
-               std::move(*overlays), std::move(*noise), std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*backdrop), std::move(*ground), std::move(*solids),
+               std::move(*overlays), std::move(*noise),    std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -125,7 +125,9 @@ class FrameRendererImpl final : public FrameRenderer {
     return false;
   }
 
-  [[nodiscard]] bool quick(const FrameInput& input) const { return m_software && input.quality.detail < kSoftwareFullDetail; }
+  [[nodiscard]] bool quick(const FrameInput& input) const {
+    return m_software && input.quality.detail < kSoftwareFullDetail;
+  }
 
   bool fitTargets(const FrameInput& input) {
     const int samples = quick(input) ? 1 : 4;
@@ -154,7 +156,8 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   void drawScene(const FrameInput& input) {
-    const gpu::PassState state{.framebuffer = m_targets.scene(), .viewport = {0, 0, input.size.x, input.size.y},
+    const gpu::PassState state{.framebuffer = m_targets.scene(),
+                               .viewport = {0, 0, input.size.x, input.size.y},
                                .depth = gpu::Depth::TestAndWrite};
     gpu::apply(state);
     m_targets.clearDepth();
@@ -200,7 +203,8 @@ class FrameRendererImpl final : public FrameRenderer {
 Result<std::unique_ptr<FrameRenderer>> FrameRenderer::create(gpu::Context& context, gpu::ShaderLibrary& shaders) {
   Result<Parts> parts = createParts(shaders);
   if (!parts) return parts.error();
-  return std::unique_ptr<FrameRenderer>(std::make_unique<FrameRendererImpl>(std::move(*parts), context.info().software));
+  return std::unique_ptr<FrameRenderer>(
+      std::make_unique<FrameRendererImpl>(std::move(*parts), context.info().software));
 }
 
 }  // namespace windloom

@@ -39,7 +39,8 @@ ViewCamera frameField(const FieldSettings& field, const HeightField* ground) {
   view.target = {field.centre.x, range.lowest + half, field.centre.y};
   const float tanUp = std::tan(0.5f * glm::radians(view.fieldOfView)), tanRight = tanUp * kPictureAspect;
   float distance = 0.0f;
-  for (const glm::vec2 corner : {glm::vec2(-0.5f, -0.5f), glm::vec2(0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(0.5f, 0.5f)}) {
+  for (const glm::vec2 corner :
+       {glm::vec2(-0.5f, -0.5f), glm::vec2(0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(0.5f, 0.5f)}) {
     for (const float y : {-half, half}) {
       const glm::vec3 at(corner.x * field.size.x, y, corner.y * field.size.y);
       const float reach = std::max(std::abs(glm::dot(at, right)) / tanRight, std::abs(glm::dot(at, up)) / tanUp);
@@ -47,7 +48,8 @@ ViewCamera frameField(const FieldSettings& field, const HeightField* ground) {
     }
   }
   view.position = view.target - forward * distance;
-  if (ground != nullptr) view.position.y = std::max(view.position.y, heightAt(*ground, {view.position.x, view.position.z}) + 2.0f);
+  if (ground != nullptr)
+    view.position.y = std::max(view.position.y, heightAt(*ground, {view.position.x, view.position.z}) + 2.0f);
   fitPlanes(view, distance);
   return view;
 }

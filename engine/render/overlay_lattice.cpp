@@ -91,7 +91,8 @@ GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettin
   GroundArea area{glm::vec2(1e30f), glm::vec2(-1e30f)};
   for (const float x : {-1.0f, 0.0f, 1.0f}) {
     for (const float y : {-1.0f, 0.0f, 1.0f}) {
-      for (const float height : {ground != nullptr ? ground->lowest() : 0.0f, ground != nullptr ? ground->highest() : 0.0f}) {
+      for (const float height :
+           {ground != nullptr ? ground->lowest() : 0.0f, ground != nullptr ? ground->highest() : 0.0f}) {
         const glm::vec2 at = onGround(inverse, {x, y}, height, reach);
         area.low = glm::min(area.low, at);
         area.high = glm::max(area.high, at);
@@ -105,8 +106,8 @@ GroundArea seenArea(const ViewCamera& camera, glm::ivec2 size, const FieldSettin
   return area.empty() ? GroundArea{} : area;
 }
 
-std::vector<FlowSeed> makeFlowSeeds(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field,
-                                    float pixels, const HeightField* ground) {
+std::vector<FlowSeed> makeFlowSeeds(const ViewCamera& camera, glm::ivec2 size, const FieldSettings& field, float pixels,
+                                    const HeightField* ground) {
   std::vector<FlowSeed> seeds;
   const GroundArea seen = seenArea(camera, size, field, ground);
   if (seen.empty()) return seeds;

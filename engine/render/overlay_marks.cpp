@@ -104,7 +104,7 @@ OverlayMarks makeOverlayMarks(const Project& project, const GraphLinks& links, c
         marks.outlines.push_back({{corners[i], corners[(i + 1) % corners.size()]},
                                   {1.0f, 0.0f, obstacle.height, state(obstacle.id)},
                                   {SOLID_POLYGON, obstacle.centre.x, obstacle.centre.y, 0.0f},
-                                   {}});
+                                  {}});
       continue;
     }
     const Solid solid = makeSolids({obstacle}).front();

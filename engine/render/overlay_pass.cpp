@@ -5,8 +5,8 @@
 namespace windloom {
 namespace {
 
-constexpr float kLeadHeights = 1.5f; // of the grass height
-constexpr float kLeastLead = 0.25f;  // m
+constexpr float kLeadHeights = 1.5f;  // of the grass height
+constexpr float kLeastLead = 0.25f;   // m
 
 const char* stageOf(GroundMap map) {
   switch (map) {

@@ -13,7 +13,10 @@ constexpr float kBevelM = 0.12f;
 class Prism {
  public:
   Prism(const Obstacle& obstacle, const HeightField* ground, std::vector<PolygonVertex>& mesh)
-      : m_corners(outlineOf(obstacle)), m_standing(standingOf(obstacle, ground)), m_height(obstacle.height), m_mesh(mesh) {
+      : m_corners(outlineOf(obstacle)),
+        m_standing(standingOf(obstacle, ground)),
+        m_height(obstacle.height),
+        m_mesh(mesh) {
     if (signedArea(m_corners) < 0) std::ranges::reverse(m_corners);
     for (std::size_t i = 0; i < m_corners.size(); ++i) m_roof.push_back(insetCorner(i));
   }

@@ -31,7 +31,9 @@ constexpr gpu::ProgramSpec kPrograms[] = {
 
 }  // namespace
 
-std::span<const gpu::ProgramSpec> renderPrograms() { return kPrograms; }
+std::span<const gpu::ProgramSpec> renderPrograms() {
+  return kPrograms;
+}
 
 const gpu::ProgramSpec& renderProgram(std::string_view name) {
   const auto* found = std::ranges::find(kPrograms, name, &gpu::ProgramSpec::name);
@@ -39,7 +41,8 @@ const gpu::ProgramSpec& renderProgram(std::string_view name) {
   return *found;
 }
 
-Status loadPrograms(gpu::ShaderLibrary& shaders, std::initializer_list<std::pair<std::string_view, gpu::Program**>> wanted) {
+Status loadPrograms(gpu::ShaderLibrary& shaders,
+                    std::initializer_list<std::pair<std::string_view, gpu::Program**>> wanted) {
   for (const auto& [name, place] : wanted) {
     Result<gpu::Program*> program = shaders.load(renderProgram(name));
     if (!program) return program.error();

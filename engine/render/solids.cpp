@@ -14,9 +14,9 @@
 namespace windloom {
 namespace {
 
-constexpr int kMapSide = 1024;           // texels along the longer side: 12 cm of a field of 100 m
+constexpr int kMapSide = 1024;             // texels along the longer side: 12 cm of a field of 100 m
 constexpr int kStrips = 3, kSectors = 32;  // as in shaders/terrain/solid.vert
-constexpr float kFarM = 8.0f;            // distance where no solid is near
+constexpr float kFarM = 8.0f;              // distance where no solid is near
 
 }  // namespace
 
@@ -51,8 +51,8 @@ std::vector<glm::vec2> solidCorners(const std::vector<Obstacle>& obstacles) {
 Result<SolidPass> SolidPass::create(gpu::ShaderLibrary& shaders) {
   SolidPass pass;
   if (Status loaded = loadPrograms(shaders, {{"terrain/solid", &pass.m_draw},
-                                              {"terrain/solid polygon", &pass.m_drawPolygons},
-                                              {"terrain/solid map", &pass.m_drawMap}});
+                                             {"terrain/solid polygon", &pass.m_drawPolygons},
+                                             {"terrain/solid map", &pass.m_drawMap}});
       !loaded) {
     return loaded.error();
   }
@@ -76,7 +76,8 @@ Status SolidPass::makeMap(glm::ivec2 size) {
   return Done{};
 }
 
-Status SolidPass::configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field, const HeightField* ground) {
+Status SolidPass::configure(const std::vector<Obstacle>& obstacles, const FieldSettings& field,
+                            const HeightField* ground) {
   const std::vector<Solid> solids = makeSolids(obstacles, ground);
   const glm::vec2 area = solidMapArea(field).size;
   const glm::ivec2 size = glm::max(glm::ivec2(area / std::max(area.x, area.y) * float(kMapSide)), glm::ivec2(16));
@@ -131,7 +132,9 @@ void SolidPass::updateMap() {
   glBlendEquation(GL_FUNC_ADD);
 }
 
-void SolidPass::bindMap() const { m_mapTexture.bind(RENDER_TEXTURE_SOLIDS); }
+void SolidPass::bindMap() const {
+  m_mapTexture.bind(RENDER_TEXTURE_SOLIDS);
+}
 
 void SolidPass::draw(const gpu::PassState& state) const {
   if (m_count == 0) return;

@@ -5,8 +5,12 @@
 
 namespace windloom {
 
-glm::vec3 speedColour(float t) { return shared::speedColourAt(t); }
+glm::vec3 speedColour(float t) {
+  return shared::speedColourAt(t);
+}
 
-glm::vec3 divergingColour(float t) { return shared::divergingColourAt(t); }
+glm::vec3 divergingColour(float t) {
+  return shared::divergingColourAt(t);
+}
 
 }  // namespace windloom

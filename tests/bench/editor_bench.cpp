@@ -27,7 +27,8 @@ Project bigProject() {
     for (int x = 0; x < kSide; ++x) {
       Point point;
       point.id = idOf(x, z);
-      point.position = {static_cast<float>(x) - 49.5f + crooked(random), static_cast<float>(z) - 49.5f + crooked(random)};
+      point.position = {static_cast<float>(x) - 49.5f + crooked(random),
+                        static_cast<float>(z) - 49.5f + crooked(random)};
       graph.points.push_back(point);
       if (x == 0 && z == 0) continue;
       Arrow arrow;

@@ -42,8 +42,8 @@ TEST_P(WindSamples, BlowTheSameOnBothBackends) {
     ASSERT_TRUE(gpu && cpu);
     ASSERT_EQ(gpu->solver().backend(), Backend::Gpu);
     ASSERT_EQ(cpu->solver().backend(), Backend::Cpu);
-    // On a grid as coarse as the short form's the canyon is a matter of chance by then, to rounding; and so it is whether
-    // an arrow blows in a cell whose centre lies exactly on its rim: with 96 cells none does.
+    // On a grid as coarse as the short form's the canyon is a matter of chance by then, to rounding; and so it is
+    // whether an arrow blows in a cell whose centre lies exactly on its rim: with 96 cells none does.
     for (int n = 0; n < (full() ? 100 : 50); ++n) {
       gpu->step();
       cpu->step();

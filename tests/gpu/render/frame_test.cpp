@@ -78,7 +78,8 @@ float lineDirection(const Picture& p) {
   double x2 = 0, y2 = 0;
   for (int y = 1; y + 1 < p.size.y; ++y) {
     for (int x = 1; x + 1 < p.size.x; ++x) {
-      const double gx = static_cast<double>(p.light(x + 1, y) - p.light(x - 1, y)), gy = static_cast<double>(p.light(x, y + 1) - p.light(x, y - 1));
+      const double gx = static_cast<double>(p.light(x + 1, y) - p.light(x - 1, y)),
+                   gy = static_cast<double>(p.light(x, y + 1) - p.light(x, y - 1));
       x2 += gx * gx;
       y2 += gy * gy;
     }

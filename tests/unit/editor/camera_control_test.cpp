@@ -126,9 +126,8 @@ TEST(CameraControl, FrameShowsTheWholeBox) {
 
 TEST(Ground, RayMeetsAHill) {
   Ground hill;
-  hill.height = windloom::testing::heightsFrom({201, 201}, {100, 100}, [](glm::vec2 place) {
-    return 10.0f * std::exp(-glm::dot(place, place) / 200.0f);
-  });
+  hill.height = windloom::testing::heightsFrom(
+      {201, 201}, {100, 100}, [](glm::vec2 place) { return 10.0f * std::exp(-glm::dot(place, place) / 200.0f); });
   const Ray ray{{0, 30, 40}, glm::normalize(glm::vec3(0, -0.6f, -1))};
   const auto place = hitGround(ray, hill);
   ASSERT_TRUE(place);

@@ -103,12 +103,12 @@ TEST(Outline, RefusesPolygonsThatEncloseNoPlainArea) {
   const std::pair<Corners, const char*> cases[] = {
       {{}, "/obstacles/0/points"},
       {{{0, 0}, {1, 0}}, "/obstacles/0/points"},
-      {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "/obstacles/0/points"},                     // a bow tie
-      {{{0, 0}, {1, 0}, {2, 0}}, "/obstacles/0/points"},                             // no area
-      {{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, "/obstacles/0/points"},             // touches its own side
-      {{{0, 0}, {2, 0}, {4, 0}, {1, 0}, {1, 3}}, "/obstacles/0/points"},             // folds back
+      {{{0, 0}, {1, 1}, {1, 0}, {0, 1}}, "/obstacles/0/points"},          // a bow tie
+      {{{0, 0}, {1, 0}, {2, 0}}, "/obstacles/0/points"},                  // no area
+      {{{0, 0}, {4, 0}, {4, 4}, {2, 0}, {0, 4}}, "/obstacles/0/points"},  // touches its own side
+      {{{0, 0}, {2, 0}, {4, 0}, {1, 0}, {1, 3}}, "/obstacles/0/points"},  // folds back
       {{{0, 0}, {1, nan}, {1, 1}}, "/obstacles/0/points/1"},
-      {{{0, 0}, {1, 0}, {1, 0}, {0, 1}}, "/obstacles/0/points/2"},                   // twice the same
+      {{{0, 0}, {1, 0}, {1, 0}, {0, 1}}, "/obstacles/0/points/2"},  // twice the same
       {{{0, 0}, {20000, 0}, {1, 1}}, "/obstacles/0/points/1"},
       {Corners(300, {0, 0}), "/obstacles/0/points"}};
   for (const auto& [corners, pointer] : cases)

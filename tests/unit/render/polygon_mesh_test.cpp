@@ -24,8 +24,7 @@ TEST(PolygonMesh, WallsAreClosedAndTheRoofLiesAtTheTop) {
   ASSERT_EQ(mesh.size(), 3u * (5 * 4 + 3)) << "two triangles a side for wall and bevel each, three for the roof";
   double roof = 0;
   for (std::size_t i = 0; i < mesh.size(); i += 3) {
-    const glm::vec3 face =
-        glm::cross(mesh[i + 1].position - mesh[i].position, mesh[i + 2].position - mesh[i].position);
+    const glm::vec3 face = glm::cross(mesh[i + 1].position - mesh[i].position, mesh[i + 2].position - mesh[i].position);
     EXPECT_GT(glm::length(face), 0.0f);
     if (mesh[i].normal == glm::vec3(0, 1, 0)) roof += 0.5 * static_cast<double>(std::abs(face.y));
   }

@@ -68,8 +68,8 @@ TEST(PolygonSolids, EveryCellAgreesWithTheInsideTest) {
   const WindGrid grid = makeWindGrid(channel({}).field, std::vector{star});
   for (int k = 0; k < grid.height; ++k)
     for (int i = 0; i < grid.width; ++i)
-      EXPECT_EQ(grid.solidAt(i, k), isInside(star, cellCentreToWorld(glm::vec2(i, k), grid.mapping.minCorner,
-                                                                       grid.mapping.cellSize)))
+      EXPECT_EQ(grid.solidAt(i, k),
+                isInside(star, cellCentreToWorld(glm::vec2(i, k), grid.mapping.minCorner, grid.mapping.cellSize)))
           << i << ", " << k;
 }
 
