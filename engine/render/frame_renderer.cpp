@@ -126,7 +126,7 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   [[nodiscard]] bool quick(const FrameInput& input) const {
-    return m_software && input.quality.detail < kSoftwareFullDetail;
+    return m_software && input.quality.detail < kSoftwareFullDetail && !input.quality.still;
   }
 
   bool fitTargets(const FrameInput& input) {
