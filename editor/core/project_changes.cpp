@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <unordered_map>
+#include <unordered_set>
 
 #include "engine/model/parameters.hpp"
 
@@ -26,16 +27,20 @@ template <class T>
 std::string nameIn(const T& record) {
   return record.name;
 }
-bool otherwiseEqual(const Signal& a, const Signal& b) {
-  return std::equal(a.keys.begin(), a.keys.end(), b.keys.begin(), b.keys.end(),
-                    [](const SignalKey& x, const SignalKey& y) { return x.time == y.time && x.value == y.value; });
+
+// What differs beside parameters; empty: nothing.
+std::string listDifference(const Signal& before, const Signal& after) {
+  return before.keys == after.keys ? "" : "curve";
+}
+std::string listDifference(const Obstacle& before, const Obstacle& after) {
+  return before.points == after.points ? "" : "corners";
 }
 template <class T>
-bool otherwiseEqual(const T&, const T&) {
-  return true;
+std::string listDifference(const T&, const T&) {
+  return {};
 }
 
-/// The labels of the parameters that differ, with commas.
+/// The labels of the parameters and the names of the lists that differ, with commas.
 template <class T>
 std::string differences(const T& before, const T& after) {
   std::string labels;
@@ -46,6 +51,7 @@ std::string differences(const T& before, const T& after) {
   for (const Parameter<T>& parameter : parametersOf<T>()) {
     if (parameter.get(before) != parameter.get(after)) add(std::string(parameter.info.label));
   }
+  if (std::string list = listDifference(before, after); !list.empty()) add(std::move(list));
   return labels;
 }
 
@@ -59,6 +65,18 @@ void compareSettings(Lines& lines, const char* label, const Shared<T>& before, c
 void count(Lines& lines, std::size_t number, const char* noun, const char* what) {
   if (number == 0) return;
   lines.push_back(std::to_string(number).append(" ").append(noun).append(number == 1 ? " " : "s ").append(what));
+}
+
+/// The ids of `records` that `others` has, too.
+template <class T>
+std::vector<Id> sharedIds(const std::vector<T>& records, const std::vector<T>& others) {
+  std::unordered_set<Id> known;
+  for (const T& record : others) known.insert(keyOf(record));
+  std::vector<Id> ids;
+  for (const T& record : records) {
+    if (known.contains(keyOf(record))) ids.push_back(keyOf(record));
+  }
+  return ids;
 }
 
 template <class T>
@@ -76,8 +94,7 @@ void compareRecords(Lines& lines, const char* label, const std::vector<T>& befor
       continue;
     }
     ++kept;
-    std::string what = differences(*found->second, record);
-    if (what.empty() && !otherwiseEqual(*found->second, record)) what = "curve";
+    const std::string what = differences(*found->second, record);
     if (what.empty()) continue;
     const std::string name = nameIn(record);
     changed.push_back(std::string(label)
@@ -94,6 +111,7 @@ void compareRecords(Lines& lines, const char* label, const std::vector<T>& befor
   } else {
     lines.insert(lines.end(), changed.begin(), changed.end());
   }
+  if (sharedIds(before, after) != sharedIds(after, before)) lines.push_back(std::string(label) + "s in another order");
 }
 
 }  // namespace

@@ -234,4 +234,33 @@ TEST(ProjectChanges, NameWhatDiffers) {
             std::vector<std::string>{"Arrow " + std::to_string(arrow) + " changed: radius"});
 }
 
+TEST(ProjectChanges, NameCornersCurvesAndOrder) {
+  Project before;
+  Obstacle stone, wall;
+  stone.id = 1;
+  wall.id = 2;
+  wall.shape = ObstacleShape::Polygon;
+  wall.points = {{0, 0}, {4, 0}, {0, 4}};
+  before.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{stone, wall});
+  Project after = before;
+  wall.points[1].x = 5;
+  after.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{wall, stone});
+  EXPECT_EQ(describeChanges(before, after),
+            (std::vector<std::string>{"Obstacle 2 changed: corners", "Obstacles in another order"}));
+
+  WindGraph graph;
+  graph.points.resize(1);
+  graph.points[0].id = 3;
+  Signal signal;
+  signal.root = 3;
+  signal.keys = {{0, 1}, {2, 0}};
+  graph.signals = {signal};
+  before = {};
+  before.graph = std::make_shared<WindGraph>(graph);
+  graph.signals[0].keys[0].easing = Easing::Smooth;
+  after = before;
+  after.graph = std::make_shared<WindGraph>(graph);
+  EXPECT_EQ(describeChanges(before, after), std::vector<std::string>{"Signal 3 changed: curve"});
+}
+
 }  // namespace windloom::editor
