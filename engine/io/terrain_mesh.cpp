@@ -241,12 +241,16 @@ class Collector {
   TriangleMesh m_mesh;
 };
 
+// Samples looked at until the watch is asked again, a part of a second; a triangle itself counts as some.
+constexpr std::size_t kWorkBetweenWatches = 10'000'000, kTriangleWork = 50;
+
 constexpr float kNothing = std::numeric_limits<float>::lowest();
 
-/// Raises the samples under a triangle to it. `a`, `b`, `c`: x and z in grid coordinates, y in metres.
-void drawTriangle(HeightSource& source, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
+/// Raises the samples under a triangle to it and says how many were looked at. `a`, `b`, `c`: x and z in grid
+/// coordinates, y in metres.
+std::size_t drawTriangle(HeightSource& source, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c) {
   const double area = (b.x - a.x) * (c.z - a.z) - (c.x - a.x) * (b.z - a.z);
-  if (std::abs(area) < 1e-12) return;
+  if (std::abs(area) < 1e-12) return 0;
   const auto bound = [](double x, double y, double z, int last, int& low, int& high) {
     low = std::max(0, static_cast<int>(std::ceil(std::min({x, y, z}) - 1e-6)));
     high = std::min(last, static_cast<int>(std::floor(std::max({x, y, z}) + 1e-6)));
@@ -265,6 +269,7 @@ void drawTriangle(HeightSource& source, glm::dvec3 a, glm::dvec3 b, glm::dvec3 c
       value = std::max(value, static_cast<float>(a.y + v * (b.y - a.y) + w * (c.y - a.y)));
     }
   }
+  return static_cast<std::size_t>(std::max(0, x1 - x0 + 1)) * static_cast<std::size_t>(std::max(0, z1 - z0 + 1));
 }
 
 /// Samples without a triangle take the mean of their neighbours that have a height, from the rims of a hole inwards.
@@ -345,12 +350,15 @@ Result<std::shared_ptr<HeightSource>> heightsOfMesh(const TriangleMesh& mesh, co
     return glm::dvec3((at.x - static_cast<double>(low.x)) * perMetre.x, at.y,
                       (at.z - static_cast<double>(low.z)) * perMetre.y);
   };
+  std::size_t work = kWorkBetweenWatches;
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
-    if (watch && t % 300'000 == 0) {
+    if (watch && work >= kWorkBetweenWatches) {
+      work = 0;
       const auto percent = 100 * t / mesh.indices.size();
       if (!watch("Making heights, " + std::to_string(percent) + "%")) return stopped();
     }
-    drawTriangle(*source, onGrid(mesh.indices[t]), onGrid(mesh.indices[t + 1]), onGrid(mesh.indices[t + 2]));
+    work += kTriangleWork;
+    work += drawTriangle(*source, onGrid(mesh.indices[t]), onGrid(mesh.indices[t + 1]), onGrid(mesh.indices[t + 2]));
   }
   if (std::ranges::all_of(source->values, [](float v) { return v == kNothing; }))
     return refuse(file, "covers no ground: all its triangles stand upright");

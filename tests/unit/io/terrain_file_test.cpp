@@ -11,6 +11,7 @@
 #include "engine/io/image.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_copy.hpp"
+#include "engine/io/terrain_mesh.hpp"
 #include "engine/model/edit.hpp"
 
 namespace windloom {
@@ -215,6 +216,15 @@ TEST_F(TerrainFiles, StopsWhenTold) {
   const auto source = readTerrainFile(putGltf({}), TerrainKind::Mesh, [](std::string_view) { return false; });
   ASSERT_FALSE(source.ok());
   EXPECT_EQ(source.error().kind, ErrorKind::Usage);
+}
+
+TEST(TerrainMesh, AsksOftenWhetherToStopWhereTrianglesLieOverEachOther) {
+  TriangleMesh mesh;
+  mesh.vertices = {{0, 0, 0}, {10, 0, 0}, {0, 0, 10}};
+  for (int triangle = 0; triangle < 2000; ++triangle) mesh.indices.insert(mesh.indices.end(), {0, 1, 2});
+  int asked = 0;
+  EXPECT_FALSE(heightsOfMesh(mesh, "pile.glb", [&](std::string_view) { return ++asked < 5; }).ok());
+  EXPECT_EQ(asked, 5);
 }
 
 TEST_F(TerrainFiles, ProjectsReadAndKeepTheirTerrain) {
