@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <new>
 
 #include "engine/io/terrain_copy.hpp"
 #include "engine/io/terrain_file.hpp"
@@ -38,6 +39,15 @@ Loaded load(const fs::path& file, const fs::path& projectFile, const LoadWatch& 
   return std::shared_ptr<const HeightSource>(made);
 }
 
+/// A file within the limits may still ask for more memory than there is: no reason to lose the editor's work.
+Loaded loadOrSay(const fs::path& file, const fs::path& projectFile, const LoadWatch& watch) {
+  try {
+    return load(file, projectFile, watch);
+  } catch (const std::bad_alloc&) {
+    return makeError(ErrorKind::Machine, file.string(), {}, "can't be read: there is not enough memory");
+  }
+}
+
 }  // namespace
 
 TerrainLoad::~TerrainLoad() {
@@ -61,7 +71,7 @@ void TerrainLoad::start(fs::path file, fs::path projectFile) {
                            job->doing = doing;
                            return !job->stop.load();
                          };
-                         Loaded loaded = load(file, projectFile, watch);
+                         Loaded loaded = loadOrSay(file, projectFile, watch);
                          const std::scoped_lock lock(job->mutex);
                          job->result = std::make_unique<Loaded>(std::move(loaded));
                          job->done = true;
