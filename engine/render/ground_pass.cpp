@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/gpu/debug_group.hpp"
+#include "engine/render/buffer_room.hpp"
 #include "engine/render/ground_light.hpp"
 #include "engine/render/render_programs.hpp"
 #include "shaders/shared/render_bindings.h"
@@ -105,12 +106,7 @@ void GroundPass::draw(const gpu::PassState& state, const FrameBlock& frame, cons
   std::vector<GroundTile> tiles;
   for (const auto& level : selection.levels) tiles.insert(tiles.end(), level.begin(), level.end());
   if (tiles.empty()) return;
-  const std::size_t bytes = tiles.size() * sizeof(GroundTile);
-  if (m_tilesInView.bytes() < bytes) {
-    Result<gpu::Buffer> buffer = gpu::Buffer::create("ground tiles", 2 * bytes, gpu::BufferUse::Dynamic);
-    if (!buffer) return;
-    m_tilesInView = std::move(*buffer);
-  }
+  if (!makeRoom(m_tilesInView, "ground tiles", tiles.size() * sizeof(GroundTile))) return;
   m_tilesInView.write(std::span<const GroundTile>(tiles));
   gpu::apply(state);
   const gpu::Program& program = full ? *m_full : *m_quick;

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/core/log.hpp"
+#include "engine/render/buffer_room.hpp"
 #include "engine/render/render_programs.hpp"
 #include "shaders/shared/render_bindings.h"
 
@@ -45,30 +45,14 @@ void FlowPass::fit(Seeds& seeds, const FrameInput& input, float pixels) {
       makeFlowSeeds(input.camera, input.size, *seeds.field, pixels * pixelUnit(input.size), ground.get());
   seeds.count = 0;
   if (made.empty()) return;
-  const std::size_t bytes = made.size() * sizeof(FlowSeed);
-  if (seeds.buffer.bytes() < bytes) {
-    Result<gpu::Buffer> buffer = gpu::Buffer::create("flow seeds", bytes + bytes / 2, gpu::BufferUse::Dynamic);
-    if (!buffer) {
-      logError(buffer.error().text());
-      return;
-    }
-    seeds.buffer = std::move(*buffer);
-  }
+  if (!makeRoom(seeds.buffer, "flow seeds", made.size() * sizeof(FlowSeed))) return;
   seeds.buffer.write(std::span<const FlowSeed>(made));
   seeds.count = static_cast<int>(made.size());
 }
 
 bool FlowPass::fitLines() {
   const std::size_t bytes = static_cast<std::size_t>(m_lineSeeds.count) * FLOW_LINE_POINTS * sizeof(glm::vec4);
-  if (bytes == 0) return false;
-  if (m_points.bytes() >= bytes) return true;
-  Result<gpu::Buffer> made = gpu::Buffer::create("streamlines", bytes + bytes / 2, gpu::BufferUse::Static);
-  if (!made) {
-    logError(made.error().text());
-    return false;
-  }
-  m_points = std::move(*made);
-  return true;
+  return bytes > 0 && makeRoom(m_points, "streamlines", bytes, gpu::BufferUse::Static);
 }
 
 void FlowPass::drawVectors(const FrameInput& input, gpu::PassState state, OverlayLift lift) {

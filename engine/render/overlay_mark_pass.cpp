@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "engine/core/log.hpp"
+#include "engine/render/buffer_room.hpp"
 #include "engine/render/render_programs.hpp"
 #include "shaders/shared/render_bindings.h"
 
@@ -14,12 +14,12 @@ namespace {
 constexpr float kHiddenAlpha = 0.38f;  // of marks behind stone and hills
 constexpr int kSegmentVertices = 12;   // as in shaders/field/arrow.vert
 constexpr int kHeadVertices = 12;
-constexpr int kPointVertices = 12;              // disc and mast
-constexpr int kOutlineVertices = 66;            // strip of 32 sectors
+constexpr int kPointVertices = 12;             // disc and mast
+constexpr int kOutlineVertices = 66;           // strip of 32 sectors
 constexpr std::size_t kMostSegments = 30'000;  // of all arrows together; one alone has kSegments
 constexpr std::size_t kSegments = 24;
-// Above so many arrows what lies behind stone and hills isn't drawn: 10,000 would cost twice as much, and the picture is
-// full of them anyway.
+// Above so many arrows what lies behind stone and hills isn't drawn: 10,000 would cost twice as much, and the picture
+// is full of them anyway.
 constexpr std::size_t kMostHidden = 3000;
 constexpr float kSeamPixels = 1.3f, kSeamOnMapPixels = 2.2f, kMarkedSeamPixels = 2.8f;
 
@@ -27,15 +27,7 @@ template <class T>
 void uploadTo(std::string_view label, std::span<const T> values, gpu::Buffer& buffer, std::size_t& count) {
   count = 0;
   if (values.empty()) return;
-  if (buffer.bytes() < values.size_bytes()) {
-    const std::size_t bytes = values.size_bytes() + values.size_bytes() / 2;
-    Result<gpu::Buffer> made = gpu::Buffer::create(label, bytes, gpu::BufferUse::Dynamic);
-    if (!made) {
-      logError(made.error().text());
-      return;
-    }
-    buffer = std::move(*made);
-  }
+  if (!makeRoom(buffer, label, values.size_bytes())) return;
   buffer.write(values);
   count = values.size();
 }
