@@ -7,7 +7,7 @@
 #include "engine/core/file.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/sha256.hpp"
-#include "tests/unit/bake/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;

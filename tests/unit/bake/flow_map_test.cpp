@@ -2,7 +2,7 @@
 
 #include "engine/bake/frame_writer.hpp"
 #include "engine/io/image.hpp"
-#include "tests/unit/bake/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "tests/unit/bake/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace {

@@ -5,7 +5,7 @@
 #include "engine/bake/frame_writer.hpp"
 #include "engine/bake/half.hpp"
 #include "engine/runtime/windloom_runtime.hpp"
-#include "tests/unit/bake/temporary_folder.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace {

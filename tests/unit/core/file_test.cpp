@@ -1,4 +1,5 @@
 #include "engine/core/file.hpp"
+#include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
@@ -11,14 +12,9 @@ namespace fs = std::filesystem;
 
 class File : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "windloom-file-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    m_folder = name;
-  }
-  void TearDown() override { fs::remove_all(m_folder); }
   std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), {})); }
-  fs::path m_folder;
+  TemporaryFolder m_temporary;
+  const fs::path m_folder = m_temporary.path();
 };
 
 TEST_F(File, WritesAndReadsBack) {

@@ -32,9 +32,6 @@ void waitForTerrain(Workspace& w) {
 class TerrainInEditor : public ::testing::Test {
  protected:
   void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "windloom-ground-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    m_folder = name;
     Image16 image(5, 5, 1);
     *image.at(4, 4) = 65535;
     ASSERT_TRUE(makeFolder(m_folder / "elsewhere"));
@@ -43,11 +40,11 @@ class TerrainInEditor : public ::testing::Test {
     m_bench.w.flow.onFailure = [this](const Error& error) { m_failure = error.text(); };
     ASSERT_TRUE(m_bench.w.document.saveAs(m_folder / "project/a.wind.json"));
   }
-  void TearDown() override { fs::remove_all(m_folder); }
   Workspace& w() { return m_bench.w; }
   const TerrainSettings& terrain() { return *w().document.project().terrain; }
 
-  fs::path m_folder;
+  TempFolder m_temporary;
+  const fs::path m_folder = m_temporary.path();
   std::string m_failure;
   Bench m_bench;
 };

@@ -1,21 +1,15 @@
 #include "engine/io/image.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "engine/core/file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
 
 class ImageFile : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "windloom-image-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    m_folder = name;
-  }
-  void TearDown() override { fs::remove_all(m_folder); }
   std::string refusal(std::string_view bytes) const {
     EXPECT_TRUE(writeFileAtomically(m_folder / "bad.png", bytes));
     const Result<Image> image = readPng(m_folder / "bad.png");
@@ -23,7 +17,8 @@ class ImageFile : public ::testing::Test {
     EXPECT_EQ(image.error().kind, ErrorKind::BadInput);
     return image.error().text();
   }
-  fs::path m_folder;
+  TemporaryFolder m_temporary;
+  const fs::path m_folder = m_temporary.path();
 };
 
 template <class Sample>

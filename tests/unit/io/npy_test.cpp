@@ -1,21 +1,15 @@
 #include "engine/io/npy.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include "engine/core/file.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
 
 class Npy : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "windloom-npy-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    m_folder = name;
-  }
-  void TearDown() override { fs::remove_all(m_folder); }
   std::string refusal(std::string_view bytes) const {
     EXPECT_TRUE(writeFileAtomically(m_folder / "bad.npy", bytes));
     const Result<NpyArray> array = readNpy(m_folder / "bad.npy");
@@ -24,7 +18,8 @@ class Npy : public ::testing::Test {
     return array.error().text();
   }
   std::size_t entries() const { return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), {})); }
-  fs::path m_folder;
+  TemporaryFolder m_temporary;
+  const fs::path m_folder = m_temporary.path();
 };
 
 /// As NumPy writes it, so that the reader isn't tested against our own writer alone.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "tests/temporary_folder.hpp"
 #include "tests/unit/io/project_fixture.hpp"
 
 namespace windloom {
@@ -17,23 +18,18 @@ namespace fs = std::filesystem;
 class SaveProject : public testing::Test {
  protected:
   void SetUp() override {
-    std::string pattern = (fs::temp_directory_path() / "windloom-save-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(pattern.data()), nullptr);
-    m_folder = pattern;
     ::umask(022);  // what one test reads as another user
     ::chmod(m_folder.c_str(), 0755);
   }
-  void TearDown() override {
-    ::chmod(m_folder.c_str(), 0755);
-    fs::remove_all(m_folder);
-  }
+  void TearDown() override { ::chmod(m_folder.c_str(), 0755); }
 
   [[nodiscard]] fs::path file() const { return m_folder / "a.wind.json"; }
   [[nodiscard]] std::size_t filesInFolder() const {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(m_folder), fs::directory_iterator()));
   }
 
-  fs::path m_folder;
+  TemporaryFolder m_temporary;
+  const fs::path m_folder = m_temporary.path();
 };
 
 Project named(std::string name) {

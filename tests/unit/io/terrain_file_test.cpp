@@ -1,7 +1,6 @@
 #include "engine/io/terrain_file.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <cstring>
@@ -13,6 +12,7 @@
 #include "engine/io/terrain_copy.hpp"
 #include "engine/io/terrain_mesh.hpp"
 #include "engine/model/edit.hpp"
+#include "tests/temporary_folder.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -59,13 +59,6 @@ struct Gltf {
 
 class TerrainFiles : public ::testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "windloom-terrain-XXXXXX").string();
-    ASSERT_NE(::mkdtemp(name.data()), nullptr);
-    m_folder = name;
-  }
-  void TearDown() override { fs::remove_all(m_folder); }
-
   void put(const fs::path& name, const std::string& bytes) const {
     ASSERT_TRUE(makeFolder((m_folder / name).parent_path()));
     ASSERT_TRUE(writeFileAtomically(m_folder / name, bytes));
@@ -90,7 +83,8 @@ class TerrainFiles : public ::testing::Test {
     return source.error().text();
   }
   static std::string meshRefusal(const fs::path& file) { return refusal(file, TerrainKind::Mesh); }
-  fs::path m_folder;
+  TemporaryFolder m_temporary;
+  const fs::path m_folder = m_temporary.path();
 };
 
 #define EXPECT_SAYS(text, part) EXPECT_NE((text).find(part), std::string::npos) << (text)

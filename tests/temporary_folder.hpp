@@ -12,7 +12,7 @@ namespace windloom {
 class TemporaryFolder {
  public:
   TemporaryFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "windloom-bake-XXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "windloom-test-XXXXXX").string();
     if (::mkdtemp(name.data()) != nullptr) m_path = name;
   }
   ~TemporaryFolder() {
