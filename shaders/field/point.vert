@@ -19,15 +19,14 @@ void main() {
   pointKind = vec2(mark.place.w, mark.look.w);
   pointMast = mast ? 1.0 : 0.0;
   float radius = discRadius(mark.place.z, mark.place.w, mark.place.xy);
-  // As high as the ridges of the arrows that meet here.
-  float rise = lift.x + ARROW_RISE * mark.place.z;
-  vec3 foot = overGround(mark.place.xy, rise);
-  vec3 world = overGround(mark.place.xy + pointPlace * radius, rise);
+  // As high as the edges of the arrows, where its handle lies; the depth leads past the ridges that end at its rim.
+  vec3 foot = overGround(mark.place.xy, lift.x);
+  vec3 world = overGround(mark.place.xy + pointPlace * radius, lift.x);
   if (mast) {
     vec3 v = directionToCamera(foot);
     vec3 aside = normalize(cross(vec3(0.0, 1.0, 0.0), v) + vec3(1e-5, 0.0, 0.0));
     world = foot + aside * pointPlace.x * 0.09 * radius + vec3(0.0, (0.5 + 0.5 * pointPlace.y) * 2.6 * radius, 0.0);
     if (mark.place.w != MARK_PROBE) world = foot;
   }
-  gl_Position = clipWithLead(world, lift.y);
+  gl_Position = clipWithLead(world, mast ? lift.y : lift.y + radius);
 }
