@@ -16,14 +16,22 @@ namespace windloom::editor {
 namespace {
 
 constexpr float kPointRadius = 4.5f, kRootRadius = 6.0f;
-// Above so many, only handles near the eye of the user (selected, hovered) get their full form.
+// Above so many, only the hovered handle gets its full form, and none is named in the map of controls.
 constexpr std::size_t kManyPoints = 3000;
+
+bool isMany(const WindGraph& graph) {
+  return graph.points.size() > kManyPoints;
+}
 
 /// Draws in ground coordinates.
 class GroundBrush {
  public:
   GroundBrush(const ViewArea& area, const Workspace& workspace)
-      : m_area(area), m_view(workspace.view()), m_ground(workspace.ground), m_list(*ImGui::GetWindowDrawList()) {}
+      : m_area(area),
+        m_view(workspace.view()),
+        m_ground(workspace.ground),
+        m_list(*ImGui::GetWindowDrawList()),
+        m_named(look().map.on() && !isMany(*workspace.document.project().graph)) {}
 
   [[nodiscard]] std::optional<ImVec2> screen(glm::vec3 world) const {
     const auto pixel = m_view.toScreen(world);
@@ -87,6 +95,7 @@ class GroundBrush {
   }
 
   ImDrawList& list() const { return m_list; }
+  [[nodiscard]] bool named() const { return m_named; }
   const Ground& ground() const { return m_ground; }
 
  private:
@@ -94,6 +103,7 @@ class GroundBrush {
   ViewMapping m_view;
   const Ground& m_ground;
   ImDrawList& m_list;
+  bool m_named;
 };
 
 struct Marks {
@@ -103,7 +113,7 @@ struct Marks {
 };
 
 void name(const GroundBrush& brush, const std::string& id, ImVec2 at) {
-  if (!look().map.on()) return;
+  if (!brush.named()) return;
   const float half = scaled(5);
   if (brush.inside(at)) look().map.rectangle(id, {at.x - half, at.y - half}, {at.x + half, at.y + half});
 }
@@ -128,7 +138,7 @@ void handleDot(const GroundBrush& brush, ImVec2 at, float radius, bool selected,
 
 void drawArrows(const GroundBrush& brush, const WindGraph& graph, const Marks& marks, bool withArrows) {
   const Palette& palette = look().palette;
-  const bool mapped = look().map.on();
+  const bool mapped = brush.named(), many = isMany(graph);
   // Without a scene all arrows are drawn here; with one only the marked ones get a line on top.
   if (!withArrows && !mapped && marks.chosen.empty() && marks.hovered == 0) return;
   std::unordered_map<Id, glm::vec2> places;
@@ -143,7 +153,8 @@ void drawArrows(const GroundBrush& brush, const WindGraph& graph, const Marks& m
     if (const auto middle = brush.screen((from->second + to->second) * 0.5f))
       name(brush, "arrow:" + std::to_string(arrow.id), *middle);
     const ImVec4 plain{0.85f, 0.93f, 1.0f, 0.9f};
-    if (withArrows || selected || hovered)
+    // Among many the scene's own highlight has to do.
+    if (withArrows || (selected && !many) || hovered)
       brush.arrow(a, b, packed(selected ? palette.accent : plain, hovered || selected ? 1.0f : 0.75f),
                   scaled(selected ? 3.0f : 2.0f));
   }
@@ -158,15 +169,16 @@ void drawPoints(const GroundBrush& brush, const Project& project, const Marks& m
     shown.insert(arrow.from);
     shown.insert(arrow.to);
   }
-  const bool many = graph.points.size() > kManyPoints;
+  const bool many = isMany(graph);
+  const ImU32 accent = packed(look().palette.accent);
   for (const Point& point : graph.points) {
     if (!shown.contains(point.id) && ends.contains(point.id)) continue;
     const auto at = brush.screen(point.position);
     if (!at || !brush.inside(*at)) continue;
     const bool selected = marks.selected(point.id), hovered = marks.hovered == point.id;
     const float radius = scaled(ends.contains(point.id) ? kPointRadius : kRootRadius);
-    if (many && !selected && !hovered)
-      brush.list().AddRectFilled({at->x - 2, at->y - 2}, {at->x + 2, at->y + 2}, IM_COL32_WHITE);
+    if (many && !hovered)
+      brush.list().AddRectFilled({at->x - 2, at->y - 2}, {at->x + 2, at->y + 2}, selected ? accent : IM_COL32_WHITE);
     else
       handleDot(brush, *at, radius, selected, hovered);
     name(brush, "point:" + std::to_string(point.id), *at);

@@ -40,9 +40,11 @@ bool ScenePicture::fresh(const SceneRequest& request, double time) const {
 
 bool ScenePicture::update(Session& session, const SceneRequest& request) {
   if (request.size.x < 1 || request.size.y < 1) return false;
+  bool still = false;
   if (fresh(request, session.time())) {
     if (m_more == 0) return false;
     --m_more;
+    still = m_more == 0;
   } else {
     m_more = kSettleFrames;
   }
@@ -65,9 +67,9 @@ bool ScenePicture::update(Session& session, const SceneRequest& request) {
   view.framebuffer = m_target.name();
   view.overlays = request.overlays;
   view.highlight = {m_shown.selected, m_shown.hovered};
-  view.quality.detail = request.detail;
+  view.quality = {.detail = request.detail, .still = still};
   session.draw(view);
-  return true;
+  return !still;
 }
 
 void ScenePicture::copyToWindow(glm::ivec2 origin) const {

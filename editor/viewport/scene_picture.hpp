@@ -25,7 +25,8 @@ struct SceneRequest {
 
 class ScenePicture {
  public:
-  /// Draws where the request or the session's time differ from what the picture shows; true where it drew.
+  /// Draws where the request or the session's time differ from what the picture shows; true where it drew a picture
+  /// of motion. What rests is drawn a last time as fine as it can be, which tells nothing about the frame time.
   /// A target that can't be made is told in the log, once.
   bool update(Session& session, const SceneRequest& request);
 

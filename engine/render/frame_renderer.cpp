@@ -125,7 +125,7 @@ class FrameRendererImpl final : public FrameRenderer {
     return false;
   }
 
-  [[nodiscard]] bool quick(const FrameInput& input) const { return m_software && input.quality.detail < kSoftwareFullDetail; }
+  [[nodiscard]] bool quick(const FrameInput& input) const { return m_software && input.quality.detail < kSoftwareFullDetail && !input.quality.still; }
 
   bool fitTargets(const FrameInput& input) {
     const int samples = quick(input) ? 1 : 4;

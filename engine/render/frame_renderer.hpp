@@ -36,6 +36,7 @@ struct Highlight {
 /// How much grass is drawn. 1 = everything within reach; the editor's quality control lowers it.
 struct GrassQuality {
   float detail = 1.0f;  ///< 0..1: fewer blades far away first, then fewer near
+  bool still = false;   ///< nothing moves: ground, maps and edges as fine as they can be, though it takes longer
 };
 
 struct FrameInput {

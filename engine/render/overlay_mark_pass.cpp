@@ -16,8 +16,11 @@ constexpr int kSegmentVertices = 12;   // as in shaders/field/arrow.vert
 constexpr int kHeadVertices = 12;
 constexpr int kPointVertices = 12;              // disc and mast
 constexpr int kOutlineVertices = 66;            // strip of 32 sectors
-constexpr std::size_t kMostSegments = 120'000;  // of all arrows together; one alone has kSegments
+constexpr std::size_t kMostSegments = 30'000;  // of all arrows together; one alone has kSegments
 constexpr std::size_t kSegments = 24;
+// Above so many arrows what lies behind stone and hills isn't drawn: 10,000 would cost twice as much, and the picture is
+// full of them anyway.
+constexpr std::size_t kMostHidden = 3000;
 constexpr float kSeamPixels = 1.3f, kSeamOnMapPixels = 2.2f, kMarkedSeamPixels = 2.8f;
 
 template <class T>
@@ -37,8 +40,9 @@ void uploadTo(std::string_view label, std::span<const T> values, gpu::Buffer& bu
   count = values.size();
 }
 
-/// Fewer for each arrow where there are many: then none is long in the picture.
-int segmentsOf(std::size_t arrows) {
+/// One on flat ground. Fewer for each arrow where there are many: then none is long in the picture.
+int segmentsOf(std::size_t arrows, bool flat) {
+  if (flat) return 1;
   return static_cast<int>(std::clamp<std::size_t>(kMostSegments / std::max<std::size_t>(arrows, 1), 1, kSegments));
 }
 
@@ -70,12 +74,14 @@ void MarkPass::upload(const FrameInput& input) {
 void MarkPass::draw(const FrameInput& input, gpu::PassState state, OverlayLift lift) {
   upload(input);
   m_onMap = input.overlays.map != GroundMap::None;
+  m_segments = segmentsOf(m_arrows.count, input.project->terrain->heights == nullptr);
   m_arrow->set("onMap", m_onMap ? 1.0f : 0.0f);
   if (m_levels.count > 0) m_levels.buffer.bindStorage(RENDER_SSBO_LEVELS);
   state.depth = gpu::Depth::Test;
   drawAreas(state, lift);
   for (const auto& [compare, visible] :
        {std::pair{gpu::DepthCompare::Greater, kHiddenAlpha}, {gpu::DepthCompare::LessEqual, 1.0f}}) {
+    if (compare == gpu::DepthCompare::Greater && m_arrows.count > kMostHidden) continue;
     state.compare = compare;
     gpu::apply(state);
     drawSet(*m_outline, m_outlines, lift, GL_TRIANGLE_STRIP, kOutlineVertices, visible);
@@ -88,20 +94,18 @@ void MarkPass::draw(const FrameInput& input, gpu::PassState state, OverlayLift l
 void MarkPass::drawAreas(gpu::PassState state, OverlayLift lift) const {
   state.compare = gpu::DepthCompare::LessEqual;
   gpu::apply(state);
-  const int segments = segmentsOf(m_arrows.count);
   m_area->use();
-  m_area->set("segments", segments);
-  drawSet(*m_area, m_arrows, lift, GL_TRIANGLES, 6 * segments * std::max(segments / 3, 1), 1.0f);
+  m_area->set("segments", m_segments);
+  drawSet(*m_area, m_arrows, lift, GL_TRIANGLES, 6 * m_segments * std::max(m_segments / 3, 1), 1.0f);
 }
 
 void MarkPass::drawArrows(const gpu::PassState& state, OverlayLift lift, float visible) const {
   gpu::PassState solid = state;
   solid.cull = gpu::Cull::Back;
   gpu::apply(solid);
-  const int segments = segmentsOf(m_arrows.count);
-  const int vertices = kSegmentVertices * segments + kHeadVertices;
+  const int vertices = kSegmentVertices * m_segments + kHeadVertices;
   m_arrow->use();
-  m_arrow->set("segments", segments);
+  m_arrow->set("segments", m_segments);
   // All seams before all arrows: where arrows meet, none cuts through another.
   for (const float seam : {m_onMap ? kSeamOnMapPixels : kSeamPixels, 0.0f}) {
     m_arrow->set("seam", seam);

@@ -40,6 +40,7 @@ class MarkPass {
   gpu::Program* m_outline = nullptr;
   MarkCache m_cache;
   bool m_onMap = false;
+  int m_segments = 1;  // of each arrow
   Marks m_arrows, m_points, m_outlines, m_levels;
 };
 

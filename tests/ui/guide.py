@@ -9,6 +9,7 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 from editor_driver import Failure, display, editor
 
@@ -25,8 +26,9 @@ class Guide:
         self.app = app
         self.pictures = pictures
 
-    def picture(self, name):
-        """After two frames more, so that what was just done is on the screen."""
+    def picture(self, name, rest=0):
+        """After two frames more, so that what was just done is on the screen, and after `rest` s."""
+        time.sleep(rest)
         frame = int(self.app.fact("frame"))
         self.app.wait("the next frames", lambda: int(self.app.fact("frame")) > frame + 2)
         file = self.pictures / f"guide-{name}.png"
@@ -109,11 +111,13 @@ def watch(guide):
     app.xdotool("mouseup", 2)
     guide.play_until(8)
     guide.picture("meadow")
+    app.key("space")  # held, the picture has time to become fine
+    app.wait_fact("playing", "no")
     app.key("6")
-    guide.picture("streamlines")
+    guide.picture("streamlines", rest=1)
     app.key("6", "9")
-    guide.picture("lic")
-    app.key("9")
+    guide.picture("lic", rest=2)
+    app.key("9", "space")
 
 
 def export(guide, folder):
