@@ -111,7 +111,9 @@ void TimelinePanel::drawTransport(PanelContext& context) {
   ImGui::SameLine(0, scaled(12));
   const bool slow = speed < 0.97;
   std::string text = slow ? fixed(speed, 2) + "x real time" : std::string("real time");
-  if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) text = fixed(speed, 2) + "x";
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (ImGui::CalcTextSize(text.c_str()).x > room) text = fixed(speed, 2) + "x";
+  if (ImGui::CalcTextSize(text.c_str()).x > room) return;
   ImGui::TextColored(slow ? look().palette.warning : look().palette.muted, "%s", text.c_str());
   if (slow && ImGui::IsItemHovered())
     ImGui::SetTooltip("This machine can't keep up, so time passes more slowly; no step is left out.");
