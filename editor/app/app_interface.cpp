@@ -114,9 +114,10 @@ void App::drawAreas(PanelContext& context) {
 void App::drawBottom(PanelContext& context, ImVec2 min, ImVec2 max) {
   const float bar = splitterThickness(), width = max.x - min.x;
   const float mostly = std::max(scaled(100), std::min(width - scaled(160), width * 0.7f));
-  // The tabs beside it want to be read in full.
+  // The tabs beside it want to be read in full, but not for the time and its buttons.
+  const float least = std::max(scaled(100), std::min(scaled(224), width * 0.6f));
   const float timeline =
-      std::clamp(scaled(m_layout.timeline), scaled(100), std::max(scaled(100), std::min(mostly, width - scaled(230))));
+      std::clamp(scaled(m_layout.timeline), scaled(100), std::max(least, std::min(mostly, width - scaled(230))));
   if (scaledSplitter("split/timeline", true, min.x + timeline, min.y, max.y - min.y, 1, scaled(100), mostly,
                      Layout{}.timeline, m_layout.timeline))
     writePreferences();

@@ -13,6 +13,19 @@ glm::vec2 axisOf(AxisLock lock) {
   return lock == AxisLock::X ? glm::vec2(1.0f, 0.0f) : lock == AxisLock::Z ? glm::vec2(0.0f, 1.0f) : glm::vec2(0.0f);
 }
 
+std::optional<glm::vec2> pointerWay(const ToolContext& context, AxisLock lock, glm::vec2 pixel, glm::vec2 pressed,
+                                    glm::vec2 anchor) {
+  if (lock == AxisLock::None || !context.ground.height) {
+    const auto place = context.groundAt(pixel);
+    return place ? std::optional(*place - pressed) : std::nullopt;
+  }
+  const Ground level{nullptr, context.ground.at(anchor)};
+  const auto start = context.view.toScreen(context.ground.lift(pressed));
+  const auto from = start ? context.view.toGround(*start, level) : std::nullopt;
+  const auto to = context.view.toGround(pixel, level);
+  return from && to ? std::optional(*to - *from) : std::nullopt;
+}
+
 void addLockLine(PreviewShapes& shapes, const Ground& ground, AxisLock lock, glm::vec2 place) {
   constexpr float kReach = 2000.0f;
   if (lock == AxisLock::None) return;

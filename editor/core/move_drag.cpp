@@ -63,7 +63,7 @@ std::optional<Edit> MoveDrag::make(const ToolContext& context) {
 
 std::optional<Edit> MoveDrag::update(ToolContext& context, const PointerEvent& pointer) {
   // Over the sky there is no place to move to: it stays where it was.
-  if (const auto place = context.groundAt(pointer.pixel)) m_free = *place - m_pressed;
+  if (const auto way = pointerWay(context, m_lock, pointer.pixel, m_pressed, m_anchor)) m_free = *way;
   m_pixel = pointer.pixel;
   m_delta = deltaFor(context, pointer);
   return make(context);

@@ -39,7 +39,8 @@ std::string subject(std::string_view pointer) {
   }
   std::string rest;
   for (std::size_t i = 1; i < parts.size(); ++i) {
-    if (!isIndex(parts[i])) rest.append(rest.empty() ? "" : " ").append(parts[i]);
+    if (isIndex(parts[i])) continue;
+    rest.append(rest.empty() ? "" : " ").append(parts[i] == "points" ? "outline" : parts[i]);
   }
   if (noun.empty()) return {};
   return rest.empty() ? noun : noun.append("'s ").append(rest);

@@ -40,7 +40,7 @@ std::optional<Edit> TransformDrag::make(const ToolContext& context) const {
 }
 
 std::optional<Edit> TransformDrag::update(ToolContext& context, const PointerEvent& pointer) {
-  if (const auto place = context.groundAt(pointer.pixel)) m_place = *place;
+  if (const auto way = pointerWay(context, m_lock, pointer.pixel, m_pressed, m_pivot)) m_place = m_pressed + *way;
   m_pixel = pointer.pixel;
   const glm::vec2 before = m_pressed - m_pivot, now = m_place - m_pivot;
   const auto typed = m_number.value();

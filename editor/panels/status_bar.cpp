@@ -100,9 +100,12 @@ void StatusBar::draw(PanelContext& context) {
   if (workspace.messageNumber() != m_messageNumber) {
     m_messageNumber = workspace.messageNumber();
     m_messageAt = ImGui::GetTime();
+    m_tool = workspace.tools.active().id();
   }
   const Palette& palette = look().palette;
-  const bool fresh = ImGui::GetTime() - m_messageAt < kMessageSeconds && !workspace.message().text.empty();
+  // With another tool in hand its hint is what matters, unless something went wrong.
+  const bool outlived = workspace.message().kind == MessageKind::Info && workspace.tools.active().id() != m_tool;
+  const bool fresh = ImGui::GetTime() - m_messageAt < kMessageSeconds && !workspace.message().text.empty() && !outlived;
 
   ImFont* const small = look().small;
   // The machine's part is laid out from the right; whole items are left out where the window is narrow.

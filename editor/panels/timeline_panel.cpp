@@ -57,6 +57,12 @@ void TimelinePanel::followProject(const PanelContext& context) {
   if (std::ranges::find(m_lanes, active, &TreeLane::root) != m_lanes.end()) m_root = active;
 }
 
+/// Shows the time that was reached, which may be far from where the seek was asked for.
+void TimelinePanel::cancelSeek(Session& session) {
+  session.cancelSeek();
+  m_axis = following(m_axis, session.time());
+}
+
 void TimelinePanel::drawSeek(PanelContext& context) {
   const auto seeking = context.session->seeking();
   look().map.fact("seek", seeking ? "yes" : "no");
@@ -76,7 +82,7 @@ void TimelinePanel::drawSeek(PanelContext& context) {
     ImGui::ProgressBar(seeking->part, {std::min(room, scaled(200)), 0}, fits ? text.c_str() : percent.c_str());
     ImGui::SameLine(0, scaled(6));
   }
-  if (ImGui::Button("Cancel")) context.session->cancelSeek();
+  if (ImGui::Button("Cancel")) cancelSeek(*context.session);
   markItem("timeline/cancel");
   if (ImGui::IsItemHovered()) ImGui::SetTooltip("Stay at the time that was reached (Esc)");
 }
@@ -105,7 +111,9 @@ void TimelinePanel::drawTransport(PanelContext& context) {
   ImGui::SameLine(0, scaled(12));
   const bool slow = speed < 0.97;
   std::string text = slow ? fixed(speed, 2) + "x real time" : std::string("real time");
-  if (ImGui::CalcTextSize(text.c_str()).x > ImGui::GetContentRegionAvail().x) text = fixed(speed, 2) + "x";
+  const float room = ImGui::GetContentRegionAvail().x;
+  if (ImGui::CalcTextSize(text.c_str()).x > room) text = fixed(speed, 2) + "x";
+  if (ImGui::CalcTextSize(text.c_str()).x > room) return;
   ImGui::TextColored(slow ? look().palette.warning : look().palette.muted, "%s", text.c_str());
   if (slow && ImGui::IsItemHovered())
     ImGui::SetTooltip("This machine can't keep up, so time passes more slowly; no step is left out.");
@@ -182,7 +190,7 @@ void TimelinePanel::draw(PanelContext& context) {
 bool TimelinePanel::keyPressed(const KeyPress& press, PanelContext& context) {
   if (m_root != 0 && m_curve.keyPressed(press, context.workspace)) return true;
   if (press.key == Key::Escape && context.session && context.session->seeking()) {
-    context.session->cancelSeek();
+    cancelSeek(*context.session);
     return true;
   }
   if (!m_hovered || press.modifiers.any() || (press.key != Key::F && press.key != Key::Home)) return false;

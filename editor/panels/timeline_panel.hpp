@@ -41,6 +41,7 @@ class TimelinePanel {
   void followProject(const PanelContext& context);
   void drawTransport(PanelContext& context);
   void drawSeek(PanelContext& context);
+  void cancelSeek(Session& session);
   void drawRuler(PanelContext& context, const Area& area, float height);
   void drawRulerScale(const Area& area, float height) const;
   void takeRuler(PanelContext& context, const Area& area);

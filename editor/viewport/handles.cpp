@@ -118,6 +118,15 @@ void name(const GroundBrush& brush, const std::string& id, ImVec2 at) {
   if (brush.inside(at)) look().map.rectangle(id, {at.x - half, at.y - half}, {at.x + half, at.y + half});
 }
 
+/// On a plate, so that it is readable over grass, discs and arrows.
+void drawLabel(const GroundBrush& brush, ImVec2 corner, const std::string& text) {
+  const ImVec2 size = ImGui::CalcTextSize(text.c_str());
+  brush.list().AddRectFilled({corner.x - scaled(4), corner.y - scaled(2)},
+                             {corner.x + size.x + scaled(4), corner.y + size.y + scaled(2)},
+                             packed(look().palette.overlayBack), scaled(3));
+  brush.list().AddText(corner, packed(look().palette.overlayText), text.c_str());
+}
+
 void handleDot(const GroundBrush& brush, ImVec2 at, float radius, bool selected, bool hovered) {
   const Palette& palette = look().palette;
   ImDrawList& list = brush.list();
@@ -174,8 +183,7 @@ void drawPoints(const GroundBrush& brush, const Project& project, const Marks& m
       handleDot(brush, *at, radius, selected, hovered);
     name(brush, "point:" + std::to_string(point.id), *at);
     if (!point.name.empty() && (selected || hovered))
-      brush.list().AddText({at->x + radius + scaled(6), at->y - ImGui::GetTextLineHeight()},
-                           packed(look().palette.overlayText), point.name.c_str());
+      drawLabel(brush, {at->x + radius + scaled(6), at->y - ImGui::GetTextLineHeight()}, point.name);
   }
 }
 
@@ -295,10 +303,7 @@ void drawPreview(const ViewArea& area, const Workspace& workspace, const Preview
     // Kept inside: near the edge the text moves to where it can be read.
     const ImVec2 corner{std::min(at.x, area.max.x - size.x - scaled(8)),
                         std::min(at.y, area.max.y - size.y - scaled(6))};
-    list.AddRectFilled({corner.x - scaled(4), corner.y - scaled(2)},
-                       {corner.x + size.x + scaled(4), corner.y + size.y + scaled(2)},
-                       packed(look().palette.overlayBack), scaled(3));
-    list.AddText(corner, packed(look().palette.overlayText), label.text.c_str());
+    drawLabel(brush, corner, label.text);
   }
 }
 

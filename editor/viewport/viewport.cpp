@@ -80,7 +80,10 @@ void Viewport::drawOver(Workspace& workspace, bool hasScene) {
   const bool overLegend = colourLegends(m_area, overlays);
   m_overInstrument = overAxes || overLegend;
   drawPreview(m_area, workspace, workspace.tools.shapes(workspace.context()));
-  if (workspace.document.project().graph->arrows.empty() && !workspace.tools.busy()) firstTreeHint(m_area);
+  // Only over an empty field: anything drawn may lie under the hint, with its handles.
+  const Project& project = workspace.document.project();
+  const bool empty = project.graph->points.empty() && project.obstacles->empty() && project.probes->empty();
+  if (empty && !workspace.tools.busy()) firstTreeHint(m_area);
 }
 
 void Viewport::draw(Workspace& workspace, bool hasScene) {

@@ -371,10 +371,13 @@ bool CurveEditor::keyPressed(const KeyPress& press, Workspace& workspace) {
     cancel(workspace);
     return true;
   }
-  if (!m_hovered || press.modifiers.any() || dragging()) return false;
+  // Nothing but playing may come between a drag and its keys: Del would take the tree whose curve this is.
+  if (dragging()) return press.key != Key::Space;
+  if (!m_hovered || press.modifiers.any()) return false;
   const Signal signal = signalOf(workspace.document.committed(), m_root);
   if (signal.kind != SignalKind::Curve) return false;
-  if ((press.key == Key::Delete || press.key == Key::X) && !m_selected.empty()) {
+  if (press.key == Key::Delete || press.key == Key::X) {
+    if (m_selected.empty()) return true;  // one Del too many must not reach the tree either
     ++m_gesture;
     apply(workspace, eraseKeysEdit(workspace.document.committed(), m_root, m_selected));
     m_selected.clear();

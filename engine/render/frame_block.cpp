@@ -1,5 +1,6 @@
 #include "engine/render/frame_block.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace windloom {
@@ -7,6 +8,8 @@ namespace {
 
 // Room around the field in the map of solids, m: the longest shadow of a 4 m solid under defaultLight().
 constexpr float kSolidMargin = 10.0f;
+// Haze over a field's longer side is at most so thick (optical depth): a field of kilometres stays visible as a whole.
+constexpr float kMostHaze = 0.5f;
 // Time given to the shaders repeats after this, s, so that a float holds it to a tenth of a millisecond.
 constexpr double kTimeWrap = 1200.0;
 
@@ -48,6 +51,7 @@ FrameBlock makeFrameBlock(const FrameInput& input, const Light& light) {
   const float perMetre = camera.orthographic ? height / camera.orthographicHeight
                                              : 0.5f * height / std::tan(0.5f * glm::radians(camera.fieldOfView));
   const SolidMapArea solids = solidMapArea(field);
+  const float haze = std::min(light.haze, kMostHaze / std::max(field.size.x, field.size.y));
   const bool wind = input.wind.name != 0;
   const GridMapping grid = wind ? input.wind.grid : makeGridMapping(field.centre, field.size, field.resolution);
 
@@ -60,7 +64,7 @@ FrameBlock makeFrameBlock(const FrameInput& input, const Light& light) {
   block.sunColour = {light.sunColour, 0.0f};
   block.skyColour = {light.skyColour, 0.0f};
   block.viewport = {glm::vec2(input.size), 1.0f / glm::vec2(input.size)};
-  block.pixelScale = {perMetre, light.haze, std::max(input.overlays.speedRange, 1e-3f), wind ? 1.0f : 0.0f};
+  block.pixelScale = {perMetre, haze, std::max(input.overlays.speedRange, 1e-3f), wind ? 1.0f : 0.0f};
   block.field = {grid.minCorner, grid.size};
   block.fieldCells = {glm::vec2(grid.resolution), grid.cellSize};
   block.solidMap = {solids.minCorner, 1.0f / solids.size};

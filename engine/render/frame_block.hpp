@@ -14,7 +14,7 @@ struct Light {
   glm::vec3 sunColour;     ///< irradiance on a plane facing it, linear
   glm::vec3 skyColour;     ///< irradiance from the open sky, linear
   float exposure;
-  float haze;              ///< 1/m
+  float haze;              ///< 1/m; less over large fields
 };
 Light defaultLight();
 

@@ -19,6 +19,7 @@ void main() {
   pointKind = vec2(mark.place.w, mark.look.w);
   pointMast = mast ? 1.0 : 0.0;
   float radius = discRadius(mark.place.z, mark.place.w, mark.place.xy);
+  // As high as the edges of the arrows, where its handle lies; the depth leads past the ridges that end at its rim.
   vec3 foot = overGround(mark.place.xy, lift.x);
   vec3 world = overGround(mark.place.xy + pointPlace * radius, lift.x);
   if (mast) {
@@ -27,6 +28,5 @@ void main() {
     world = foot + aside * pointPlace.x * 0.09 * radius + vec3(0.0, (0.5 + 0.5 * pointPlace.y) * 2.6 * radius, 0.0);
     if (mark.place.w != MARK_PROBE) world = foot;
   }
-  // Before the ridges of the arrows that meet here, but no higher: the editor's handle lies in its middle.
-  gl_Position = clipWithLead(world, lift.y + 2.0 * ARROW_RISE * mark.place.z);
+  gl_Position = clipWithLead(world, mast ? lift.y : lift.y + radius);
 }

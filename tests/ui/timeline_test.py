@@ -96,8 +96,20 @@ def edit_curve(app):
     app.key("Delete")
     app.wait_fact("curve.keys", "4")
     app.wait_fact("steps", "6")
+    app.key("Delete")  # none is selected: the tree must not go instead
     app.key("ctrl+z")
     app.wait_fact("curve.keys", "5")
+    check(app.fact("curve.root") == "1" and app.fact("steps") == "5", "Del over the curve must leave its tree")
+
+    first = app.centre("curve/key/1")
+    app.point_at(first)  # a key that is held
+    app.xdotool("mousedown", 1)
+    app.point_at((first[0], first[1] + 20))
+    app.key("Delete")
+    app.key("Escape")
+    app.xdotool("mouseup", 1)
+    app.wait("the held key to be back", lambda: app.centre("curve/key/1") == first)
+    check(app.fact("curve.keys") == "5" and app.fact("steps") == "5", "Del in a drag must delete nothing")
 
 
 def scrub(app):

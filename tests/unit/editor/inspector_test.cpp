@@ -173,6 +173,8 @@ TEST(Refusal, NamesTheThingInsteadOfThePlaceInTheFile) {
             "The arrow's radius: found -1, expected more");
   EXPECT_EQ(refusalText(makeError(ErrorKind::BadInput, "", "/graph/arrows/3", "has no length")),
             "The arrow has no length");
+  EXPECT_EQ(refusalText(makeError(ErrorKind::BadInput, "", "/obstacles/0/points", "has sides that cross")),
+            "The obstacle's outline has sides that cross");
   EXPECT_EQ(refusalText(makeError(ErrorKind::BadInput, "disk is full")), "disk is full");
   Error error = makeError(ErrorKind::BadInput, "", "/field/borders/xMin", "is not periodic");
   error.problems.push_back(error.problems.front());

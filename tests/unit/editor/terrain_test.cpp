@@ -66,6 +66,31 @@ TEST(GroundOfTheProject, ToolsDrawOnIt) {
   EXPECT_EQ(b.w.selection.active(), arrow) << "the middle of the arrow lies on the hill";
 }
 
+TEST(GroundOfTheProject, LockedDragGoesAlongItsAxisWhateverLiesUnderThePointer) {
+  Bench b;
+  b.w.document.startNew(hilly());
+  b.w.tick(0.01, {});
+  b.w.camera = EditorCamera{};
+  b.w.camera.pitch = 25.0f;
+  b.w.camera.target.y = 4.0f;
+  const Id arrow = b.draw({-10, 0}, {4, 2});
+  const Id tip = b.arrow(arrow).to;
+  b.key("Q");
+  b.press({4, 2});
+  b.move({5, 3});
+  b.key("X");
+  const glm::vec3 level = b.w.ground.lift({4, 2});
+  for (const float way : {-6.0f, 3.0f, 9.0f, 15.0f}) {
+    PointerEvent pointer;
+    pointer.pixel = *b.w.view().toScreen(level + glm::vec3(way, 0.0f, 0.0f));
+    const auto under = b.w.view().toGround(pointer.pixel, b.w.ground);
+    ASSERT_TRUE(under && std::abs(under->x - 4.0f - way) > 0.2f) << "hills must lie over or under the axis at " << way;
+    b.w.pointerMoved(pointer);
+    expectNear(b.place(tip), {4 + way, 2}, 0.02f);
+  }
+  b.key("Escape");
+}
+
 TEST(GroundOfTheProject, FramingShowsTheHilltops) {
   Bench b;
   b.w.document.startNew(hilly());

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <memory>
+
 #include "engine/render/framing.hpp"
 
 namespace windloom {
@@ -44,10 +47,23 @@ TEST(FrameBlock, KnowsHowManyPixelsAMetreCovers) {
   EXPECT_NEAR(blockOf(project, camera).pixelScale.x, 360.0f, 1e-2f);
 }
 
+TEST(FrameBlock, HazeLetsAFieldOfKilometresBeSeen) {
+  Project project;
+  const float usual = blockOf(project, {}).pixelScale.y;
+  EXPECT_FLOAT_EQ(usual, defaultLight().haze);
+  FieldSettings field;
+  field.size = {300.0f, 2000.0f};
+  project.field = std::make_shared<const FieldSettings>(field);
+  const float across = std::exp(-2000.0f * blockOf(project, {}).pixelScale.y);
+  EXPECT_GT(across, 0.5f) << "less than half of the light comes through";
+  EXPECT_LT(across, 0.9f) << "no haze at all";
+}
+
 TEST(ViewCamera, LooksStraightDownWithNorthUp) {
   const ViewCamera camera = frameFieldFromAbove({});
   const glm::mat4 matrix = camera.projection(16.0f / 9.0f) * camera.view();
-  const glm::vec4 north = matrix * glm::vec4(0.0f, 0.0f, -20.0f, 1.0f), east = matrix * glm::vec4(20.0f, 0.0f, 0.0f, 1.0f);
+  const glm::vec4 north = matrix * glm::vec4(0.0f, 0.0f, -20.0f, 1.0f),
+                  east = matrix * glm::vec4(20.0f, 0.0f, 0.0f, 1.0f);
   EXPECT_GT(north.y / north.w, 0.1f);
   EXPECT_GT(east.x / east.w, 0.1f);
 }
@@ -59,7 +75,8 @@ TEST(Framing, ShowsTheWholeField) {
     field.size = size;
     for (const ViewCamera& camera : {frameField(field), frameFieldFromAbove(field)}) {
       const glm::mat4 matrix = camera.projection(16.0f / 9.0f) * camera.view();
-      for (const glm::vec2 corner : {glm::vec2(-0.5f, -0.5f), glm::vec2(0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(0.5f, 0.5f)}) {
+      for (const glm::vec2 corner :
+           {glm::vec2(-0.5f, -0.5f), glm::vec2(0.5f, -0.5f), glm::vec2(-0.5f, 0.5f), glm::vec2(0.5f, 0.5f)}) {
         const glm::vec2 at = field.centre + corner * size;
         const glm::vec4 clip = matrix * glm::vec4(at.x, 0.0f, at.y, 1.0f);
         EXPECT_GT(clip.w, 0.0f);
