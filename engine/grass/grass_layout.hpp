@@ -34,7 +34,7 @@ GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& gra
 /// The lowest and the highest ground in each tile, row by row, m.
 std::vector<glm::vec2> groundInTiles(const GrassLayout& layout, const HeightField& ground);
 
-/// Settings for the shaders. `detail` as GrassQuality::detail, clamped to [0.02, 1].
+/// Settings for the shaders. `detail` as FrameQuality::detail, clamped to [0.02, 1].
 GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout, float detail);
 
 /// Part of the blades drawn where a metre covers `pixelsPerMetre`, 0..1: the same as keptPart() in

@@ -33,9 +33,9 @@ struct Highlight {
   Id hovered = 0;
 };
 
-/// How much grass is drawn. 1 = everything within reach; the editor's quality control lowers it.
-struct GrassQuality {
-  float detail = 1.0f;  ///< 0..1: fewer blades far away first, then fewer near
+/// How finely a frame is drawn.
+struct FrameQuality {
+  float detail = 1.0f;  ///< of the grass, 0..1: fewer blades far away first, then fewer near; 1 = all within reach
   bool still = false;   ///< nothing moves: ground, maps and edges as fine as they can be, though it takes longer
 };
 
@@ -50,7 +50,7 @@ struct FrameInput {
   glm::ivec2 origin{0, 0};                ///< lower left corner in the target
   Overlays overlays;
   Highlight highlight;
-  GrassQuality quality;
+  FrameQuality quality;
 };
 
 struct FrameStats {

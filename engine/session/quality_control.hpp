@@ -19,7 +19,7 @@ class QualityControl {
   /// A frame that drew the scene took so long.
   void frameDone(double milliseconds);
 
-  /// For GrassQuality::detail: kLeastDetail..1.
+  /// For FrameQuality::detail: kLeastDetail..1.
   [[nodiscard]] float detail() const { return m_detail; }
   [[nodiscard]] double targetMs() const { return m_targetMs; }
 

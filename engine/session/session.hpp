@@ -95,7 +95,7 @@ class Session {
     glm::ivec2 origin{0, 0};
     Overlays overlays;
     Highlight highlight;
-    GrassQuality quality;
+    FrameQuality quality;
   };
   virtual void draw(const View& view) = 0;
 
