@@ -8,22 +8,35 @@
 #include "shaders/shared/wind_block.h"
 
 namespace windloom {
-namespace {
 
 /// Makes room, with some to spare, and writes.
-template <class T>
-bool writeGrowing(gpu::Buffer& buffer, const char* label, const std::vector<T>& values) {
-  const std::size_t bytes = std::max<std::size_t>(values.size() * sizeof(T), 256);
-  if (buffer.bytes() < bytes) {
-    Result<gpu::Buffer> made = gpu::Buffer::create(label, std::bit_ceil(bytes), gpu::BufferUse::Dynamic);
+bool GpuArrows::Lists::write(const char* label, const void* data, std::size_t bytes) {
+  m_at = (m_at + 1) % m_buffers.size();
+  gpu::Buffer& buffer = m_buffers[m_at];
+  const std::size_t wanted = std::max<std::size_t>(bytes, 256);
+  if (buffer.bytes() < wanted) {
+    Result<gpu::Buffer> made = gpu::Buffer::create(label, std::bit_ceil(wanted), gpu::BufferUse::Dynamic);
     if (!made) {
       logError(made.error().text());
       return false;
     }
     buffer = std::move(*made);
   }
-  buffer.write(values.data(), values.size() * sizeof(T));
+  buffer.write(data, bytes);
   return true;
+}
+
+std::size_t GpuArrows::Lists::bytes() const {
+  std::size_t sum = 0;
+  for (const gpu::Buffer& buffer : m_buffers) sum += buffer.bytes();
+  return sum;
+}
+
+namespace {
+
+template <class T, class List>
+bool write(List& list, const char* label, const std::vector<T>& values) {
+  return list.write(label, values.data(), values.size() * sizeof(T));
 }
 
 }  // namespace
@@ -42,10 +55,10 @@ bool GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
     return hadSome;
   }
   const glm::vec2 corner = fields.grid.mapping.minCorner;
-  const bool rebin = m_startBuffer.bytes() == 0 || corner != m_corner || !sameShapes(arrows);
+  const bool rebin = m_startBuffer.empty() || corner != m_corner || !sameShapes(arrows);
   const bool changed = rebin || std::memcmp(arrows.data(), m_sent.data(), arrows.size_bytes()) != 0;
   if (changed) m_sent.assign(arrows.begin(), arrows.end());
-  bool sent = !changed || writeGrowing(m_arrowBuffer, "wind arrows", m_sent);
+  bool sent = !changed || write(m_arrowBuffer, "wind arrows", m_sent);
   if (rebin && sent) {
     binArrows(fields.grid, arrows, m_tiles);
     m_corner = corner;
@@ -53,9 +66,8 @@ bool GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
     for (std::size_t t = 0; t + 1 < m_tiles.start.size(); ++t) {
       if (m_tiles.start[t] < m_tiles.start[t + 1]) m_busy.push_back(static_cast<std::uint32_t>(t));
     }
-    sent = writeGrowing(m_startBuffer, "wind tile starts", m_tiles.start) &&
-           writeGrowing(m_indexBuffer, "wind tile arrows", m_tiles.indices) &&
-           writeGrowing(m_busyBuffer, "wind busy tiles", m_busy);
+    sent = write(m_startBuffer, "wind tile starts", m_tiles.start) &&
+           write(m_indexBuffer, "wind tile arrows", m_tiles.indices) && write(m_busyBuffer, "wind busy tiles", m_busy);
   }
   fields.block.tileColumns = sent ? m_tiles.columns : 0;
   fields.block.tileSide = m_tiles.cellsPerSide;
@@ -64,11 +76,11 @@ bool GpuArrows::send(GpuFields& fields, std::span<const ArrowForce> arrows) {
 }
 
 void GpuArrows::bind() const {
-  if (m_startBuffer.bytes() == 0) return;
-  m_arrowBuffer.bindStorage(WIND_SSBO_ARROWS);
-  m_startBuffer.bindStorage(WIND_SSBO_TILE_START);
-  m_indexBuffer.bindStorage(WIND_SSBO_TILE_ARROWS);
-  m_busyBuffer.bindStorage(WIND_SSBO_BUSY_TILES);
+  if (m_startBuffer.empty()) return;
+  m_arrowBuffer.bind(WIND_SSBO_ARROWS);
+  m_startBuffer.bind(WIND_SSBO_TILE_START);
+  m_indexBuffer.bind(WIND_SSBO_TILE_ARROWS);
+  m_busyBuffer.bind(WIND_SSBO_BUSY_TILES);
 }
 
 }  // namespace windloom

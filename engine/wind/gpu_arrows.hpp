@@ -1,11 +1,13 @@
 #pragma once
 // The arrows of a step on the GPU, binned in tiles. Binning is done again only when arrows moved, came or went.
 
+#include <array>
 #include <span>
 #include <vector>
 
 #include "engine/gpu/buffer.hpp"
 #include "engine/wind/arrow_tiles.hpp"
+#include "engine/wind/gpu_cycles.hpp"
 #include "engine/wind/gpu_fields.hpp"
 
 namespace windloom {
@@ -33,12 +35,25 @@ class GpuArrows {
   }
 
  private:
+  /// One list in as many buffers as steps may be on their way, and two to spare: a list is never written into a buffer
+  /// that a step still reads. OpenGL orders such writes, but NVIDIA's driver (580.159) let steps under way see some.
+  class Lists {
+   public:
+    bool write(const char* label, const void* data, std::size_t bytes);
+    void bind(unsigned binding) const { m_buffers[m_at].bindStorage(binding); }
+    [[nodiscard]] bool empty() const { return m_buffers[m_at].bytes() == 0; }
+    [[nodiscard]] std::size_t bytes() const;
+
+   private:
+    std::array<gpu::Buffer, GpuCycles::kDelay + 2> m_buffers;
+    std::size_t m_at = 0;
+  };
   [[nodiscard]] bool sameShapes(std::span<const ArrowForce> arrows) const;
   std::vector<ArrowForce> m_sent;
   glm::vec2 m_corner{0};
   ArrowTiles m_tiles;
   std::vector<std::uint32_t> m_busy;  // tiles that an arrow reaches
-  gpu::Buffer m_arrowBuffer, m_startBuffer, m_indexBuffer, m_busyBuffer;
+  Lists m_arrowBuffer, m_startBuffer, m_indexBuffer, m_busyBuffer;
 };
 
 }  // namespace windloom
