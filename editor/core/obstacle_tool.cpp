@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "editor/core/centre_drag.hpp"
 #include "editor/core/object_edits.hpp"
 #include "editor/core/snapping.hpp"
 #include "engine/core/text.hpp"
@@ -19,19 +20,9 @@ bool toggleShape(ToolContext& context, const KeyPress& press) {
   return true;
 }
 
-class ObstacleDrag : public Drag {
+class ObstacleDrag : public CentreDrag {
  public:
-  explicit ObstacleDrag(glm::vec2 centre) : m_centre(centre), m_place(centre) {}
-
-  std::optional<Edit> update(ToolContext& context, const PointerEvent& pointer) override {
-    m_pixel = pointer.pixel;
-    if (const auto place = context.groundAt(pointer.pixel)) {
-      m_place = snapToGrid(context.settings.snap, *place, pointer.modifiers);
-    }
-    return make(context);
-  }
-  std::optional<Edit> end(ToolContext& context) override { return make(context); }
-  void applied(ToolContext& context) override { context.selection.replace(m_id); }
+  using CentreDrag::CentreDrag;
   bool onKey(ToolContext& context, const KeyPress& press) override { return toggleShape(context, press); }
   void shapes(const ToolContext& context, PreviewShapes& shapes) const override {
     shapes.lines.push_back({context.ground.lift(m_centre), context.ground.lift(m_place), ShapeRole::Guide});
@@ -47,7 +38,7 @@ class ObstacleDrag : public Drag {
   }
 
  private:
-  std::optional<Edit> make(const ToolContext& context) {
+  std::optional<Edit> make(const ToolContext& context) override {
     Obstacle obstacle = context.settings.newObstacle;
     const glm::vec2 half = glm::abs(m_place - m_centre);
     obstacle.centre = m_centre;
@@ -61,13 +52,9 @@ class ObstacleDrag : public Drag {
       if (std::min(obstacle.size.x, obstacle.size.y) < kMinObstacleM) return std::nullopt;
     }
     AddResult added = addObstacleEdit(context.document.committed(), std::move(obstacle));
-    m_id = added.id;
+    m_made = added.id;
     return std::move(added.edit);
   }
-
-  glm::vec2 m_centre, m_place;
-  glm::vec2 m_pixel{0.0f};
-  Id m_id = 0;
 };
 
 }  // namespace

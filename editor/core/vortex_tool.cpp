@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/core/snapping.hpp"
+#include "editor/core/centre_drag.hpp"
 #include "engine/core/text.hpp"
 
 namespace windloom::editor {
@@ -22,19 +22,9 @@ std::string swirlText(float swirl) {
   return fixed(static_cast<double>(std::abs(swirl)), 1) + " m/s " + (swirl > 0.0f ? "from +X to +Z" : "from +Z to +X");
 }
 
-class VortexDrag : public Drag {
+class VortexDrag : public CentreDrag {
  public:
-  explicit VortexDrag(glm::vec2 centre) : m_centre(centre), m_rim(centre) {}
-
-  std::optional<Edit> update(ToolContext& context, const PointerEvent& pointer) override {
-    m_pixel = pointer.pixel;
-    if (const auto place = context.groundAt(pointer.pixel)) {
-      m_rim = snapToGrid(context.settings.snap, *place, pointer.modifiers);
-    }
-    return make(context);
-  }
-  std::optional<Edit> end(ToolContext& context) override { return make(context); }
-  void applied(ToolContext& context) override { context.selection.replace(m_arrow); }
+  using CentreDrag::CentreDrag;
   bool onKey(ToolContext& context, const KeyPress& press) override { return turnRound(context, press); }
   bool onWheel(ToolContext& context, float notches, Modifiers) override {
     float& swirl = context.settings.newSwirlMps;
@@ -42,7 +32,7 @@ class VortexDrag : public Drag {
     return true;
   }
   void shapes(const ToolContext& context, PreviewShapes& shapes) const override {
-    const float radius = glm::distance(m_centre, m_rim);
+    const float radius = glm::distance(m_centre, m_place);
     shapes.discs.push_back({context.ground.lift(m_centre), radius, ShapeRole::Preview});
     shapes.labels.push_back({m_pixel + glm::vec2(16.0f, 16.0f), "radius " + fixed(static_cast<double>(radius), 1) +
                                                                     " m, " + swirlText(context.settings.newSwirlMps)});
@@ -53,22 +43,18 @@ class VortexDrag : public Drag {
 
  private:
   /// The swirl is around the end of an arrow, so a short arrow of no strength leads from the rim to the middle.
-  std::optional<Edit> make(const ToolContext& context) {
+  std::optional<Edit> make(const ToolContext& context) override {
     Arrow model = context.settings.newArrow;
-    model.radius = glm::distance(m_centre, m_rim);
+    model.radius = glm::distance(m_centre, m_place);
     if (model.radius < kMinRadiusM) return std::nullopt;
     model.strength = 0.0f;
     model.where = Where::End;
     model.swirl = context.settings.newSwirlMps;
-    TreeResult tree = treeEdit(context.document.committed(), m_rim, m_centre, model);
+    TreeResult tree = treeEdit(context.document.committed(), m_place, m_centre, model);
     tree.edit.label = "Draw vortex";
-    m_arrow = tree.arrow;
+    m_made = tree.arrow;
     return std::move(tree.edit);
   }
-
-  glm::vec2 m_centre, m_rim;
-  glm::vec2 m_pixel{0.0f};
-  Id m_arrow = 0;
 };
 
 }  // namespace

@@ -10,12 +10,7 @@ import sys
 import tempfile
 
 from drop import DropSource
-from editor_driver import Failure, display, editor
-
-
-def check(condition, message):
-    if not condition:
-        raise Failure(message)
+from editor_driver import Failure, check, display, editor, run
 
 
 def write_mesh(file):
@@ -34,7 +29,7 @@ def write_mesh(file):
                       {"bufferView": 1, "componentType": 5123, "count": 12, "type": "SCALAR"}]}))
 
 
-def run(app, folder, elsewhere, environment):
+def drop_all(app, folder, elsewhere, environment):
     source = DropSource(environment["DISPLAY"])
     middle = app.centre("viewport")
 
@@ -78,13 +73,9 @@ def main():
                 "format": "windloom-project", "version": 1, "name": project, "field": {"resolution": [64, 64]},
                 "grass": {"density": 1}}))
         with editor(windloom_editor, environment, home) as app:
-            run(app, folder, elsewhere, environment)
+            drop_all(app, folder, elsewhere, environment)
     print("projects, a height map and a mesh dropped; the rest refused")
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

@@ -4,6 +4,7 @@ import contextlib
 import os
 import pathlib
 import subprocess
+import sys
 import time
 
 PATIENCE_S = 30  # for one condition; a loaded machine with two cores needs a few seconds at most
@@ -11,6 +12,20 @@ PATIENCE_S = 30  # for one condition; a loaded machine with two cores needs a fe
 
 class Failure(Exception):
     pass
+
+
+def check(condition, message):
+    if not condition:
+        raise Failure(message)
+
+
+def run(main):
+    """A test's main: what failed goes to standard error, the exit status is 1 then."""
+    try:
+        main()
+    except Failure as failure:
+        print(f"FAILED: {failure}", file=sys.stderr)
+        sys.exit(1)
 
 
 @contextlib.contextmanager

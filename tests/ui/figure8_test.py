@@ -11,8 +11,8 @@ import subprocess
 import sys
 import tempfile
 
-from editor_driver import Failure, display, editor
-from window_test import PROJECT, TopView, check, near
+from editor_driver import check, display, editor, run
+from window_test import PROJECT, TopView, near
 
 ROOT, FORK = (-30.0, 0.0), (-14.0, 0.0)
 LEFT, RIGHT = (0.0, -9.0), (0.0, 9.0)
@@ -123,8 +123,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

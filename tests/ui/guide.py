@@ -11,14 +11,9 @@ import sys
 import tempfile
 import time
 
-from editor_driver import Failure, display, editor
+from editor_driver import check, display, editor, run
 
 SIZE = "1280x720"
-
-
-def check(condition, message):
-    if not condition:
-        raise Failure(message)
 
 
 class Guide:
@@ -174,8 +169,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

@@ -8,8 +8,8 @@ import pathlib
 import sys
 import tempfile
 
-from editor_driver import Failure, display, editor
-from window_test import PROJECT, TopView, check
+from editor_driver import Failure, check, display, editor, run
+from window_test import PROJECT, TopView
 
 PROJECT = dict(PROJECT, graph={
     "points": [{"id": 1, "name": "gate", "position": [-20, 0]}, {"id": 2, "position": [0, 0]},
@@ -209,8 +209,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import time
 
-from editor_driver import Failure, display, editor
+from editor_driver import check, display, editor, run
 
 MOST_LOST = 25  # edits
 PROJECT = {
@@ -20,11 +20,6 @@ PROJECT = {
     "grass": {"density": 1},
     "probes": [{"id": 1, "position": [0, 0]}],
 }
-
-
-def check(condition, message):
-    if not condition:
-        raise Failure(message)
 
 
 def probes_of(windloom, project):
@@ -155,8 +150,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

@@ -10,7 +10,7 @@ import shutil
 import sys
 import tempfile
 
-from editor_driver import Failure, display, editor
+from editor_driver import Failure, display, editor, run
 
 LOOKS = [("1280x720", "1", "dark"), ("1280x720", "1", "light"), ("2560x1440", "2", "dark"), ("2560x1440", "2", "light")]
 TABS = ["Selection", "Field", "Solver", "Ambient", "Grass", "Terrain", "Export"]
@@ -95,8 +95,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

@@ -11,7 +11,7 @@ import sys
 import tempfile
 import zlib
 
-from editor_driver import Failure, display, editor
+from editor_driver import check, display, editor, run
 
 SIDE, SIZE, HEIGHT = 65, 100.0, 20.0
 # Probes on a diagonal ramp show in the perspective view where known places of the ground lie.
@@ -19,11 +19,6 @@ PROBES = {40: (-20.0, -10.0), 41: (15.0, 10.0)}
 PROJECT = {"format": "windloom-project", "version": 1, "name": "Hills",
            "field": {"centre": [0, 0], "size": [SIZE, SIZE], "resolution": [64, 64]}, "grass": {"density": 2},
            "probes": [{"id": id, "position": list(at)} for id, at in PROBES.items()]}
-
-
-def check(condition, message):
-    if not condition:
-        raise Failure(message)
 
 
 def write_png(path):
@@ -89,8 +84,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

@@ -8,7 +8,7 @@ import pathlib
 import sys
 import tempfile
 
-from editor_driver import Failure, display, editor
+from editor_driver import check, display, editor, run
 
 PROJECT = {
     "format": "windloom-project", "version": 1, "name": "Timeline test",
@@ -19,11 +19,6 @@ PROJECT = {
     "grass": {"density": 2},
     "probes": [{"id": 40, "position": [-5, 0]}],
 }
-
-
-def check(condition, message):
-    if not condition:
-        raise Failure(message)
 
 
 def number(app, name):
@@ -183,8 +178,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)

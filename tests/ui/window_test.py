@@ -11,7 +11,7 @@ import subprocess
 import sys
 import tempfile
 
-from editor_driver import Failure, display, editor
+from editor_driver import Failure, check, display, editor, run
 
 # No tree yet; three probes whose places on the screen tell how pixels map to metres in the view from above.
 PROBES = {40: (-30.0, -20.0), 41: (30.0, 20.0), 42: (30.0, -20.0)}
@@ -21,11 +21,6 @@ PROJECT = {
     "grass": {"density": 4},
     "probes": [{"id": id, "position": list(at)} for id, at in PROBES.items()],
 }
-
-
-def check(condition, message):
-    if not condition:
-        raise Failure(message)
 
 
 def near(a, b, tolerance):
@@ -284,8 +279,4 @@ def main():
 
 
 if __name__ == "__main__":
-    try:
-        main()
-    except Failure as failure:
-        print(f"FAILED: {failure}", file=sys.stderr)
-        sys.exit(1)
+    run(main)
