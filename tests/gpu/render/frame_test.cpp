@@ -1,8 +1,7 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/gpu/gpu_test.hpp"
-#include "tests/gpu/render/picture.hpp"
+#include "tests/gpu/render/render_fixture.hpp"
 
 namespace windloom {
 namespace {
@@ -13,31 +12,15 @@ using testing::draw;
 using testing::Picture;
 using testing::uniformWind;
 
-class Frame : public testing::GpuTest {
+class Frame : public testing::RenderTest {
  protected:
   void SetUp() override {
-    GpuTest::SetUp();
-    auto made = FrameRenderer::create(context(), shaders());
-    ASSERT_TRUE(made.ok()) << made.error().text();
-    m_renderer = std::move(*made);
-    GrassSettings grass;
-    grass.density = 60.0f;
-    m_project.grass = std::make_shared<GrassSettings>(grass);
-    FieldSettings field;
-    field.size = {40.0f, 40.0f};
-    field.resolution = {16, 16};
-    m_project.field = std::make_shared<FieldSettings>(field);
-    m_input.project = &m_project;
-    m_input.size = {320, 180};
+    RenderTest::SetUp();
+    setDensity(60.0f);
+    setField(16);
     m_input.camera.position = {0.0f, 1.7f, 16.0f};
     m_input.camera.target = {0.0f, 0.8f, 0.0f};
-    m_input.overlays.arrows = false;
     m_input.time = 3.0;
-  }
-  void TearDown() override {
-    m_wind = {};
-    m_renderer.reset();
-    GpuTest::TearDown();
   }
 
   void blow(glm::vec2 wind) {
@@ -56,7 +39,6 @@ class Frame : public testing::GpuTest {
     stone.height = height;
     m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{stone});
   }
-  Picture picture() { return draw(*m_renderer, m_input); }
   /// Statistics arrive a few frames late.
   FrameStats settledStats() {
     for (int i = 0; i < 3; ++i) (void)picture();
@@ -66,11 +48,6 @@ class Frame : public testing::GpuTest {
     input.framebuffer = target->name();
     return m_renderer->render(input);
   }
-
-  std::unique_ptr<FrameRenderer> m_renderer;
-  Project m_project;
-  FrameInput m_input;
-  gpu::Texture m_wind;
 };
 
 /// How much lines run across the picture rather than up it: the ratio of squared gradients along y and x.

@@ -4,8 +4,7 @@
 #include "engine/grass/grass_layout.hpp"
 #include "shaders/shared/grass_block.h"
 #include "shaders/shared/render_bindings.h"
-#include "tests/gpu/gpu_test.hpp"
-#include "tests/gpu/render/picture.hpp"
+#include "tests/gpu/render/render_fixture.hpp"
 #include "tests/height_fixture.hpp"
 
 namespace windloom {
@@ -18,43 +17,21 @@ using testing::Picture;
 using testing::terrainOf;
 using testing::uniformWind;
 
-class Ground : public testing::GpuTest {
+class Ground : public testing::RenderTest {
  protected:
   void SetUp() override {
-    GpuTest::SetUp();
-    auto made = FrameRenderer::create(context(), shaders());
-    ASSERT_TRUE(made.ok()) << made.error().text();
-    m_renderer = std::move(*made);
+    RenderTest::SetUp();
     setDensity(0.0f);
-    FieldSettings field;
-    field.size = {40.0f, 40.0f};
-    field.resolution = {16, 16};
-    m_project.field = std::make_shared<FieldSettings>(field);
-    m_input.project = &m_project;
-    m_input.size = {320, 180};
-    m_input.overlays.arrows = false;
+    setField(16);
     m_input.camera.position = {0.0f, 6.0f, 30.0f};
     m_input.camera.target = {0.0f, 4.0f, 0.0f};
   }
-  void TearDown() override {
-    m_renderer.reset();
-    GpuTest::TearDown();
-  }
-  void setDensity(float density) {
-    GrassSettings grass;
-    grass.density = density;
-    m_project.grass = std::make_shared<GrassSettings>(grass);
-  }
-  Picture picture() { return draw(*m_renderer, m_input); }
+
   glm::vec2 pixelOf(glm::vec3 world) const {
     const glm::vec4 clip = m_input.camera.projection(320.0f / 180.0f) * m_input.camera.view() * glm::vec4(world, 1.0f);
     const glm::vec2 device = glm::vec2(clip) / clip.w;
     return {(0.5f + 0.5f * device.x) * 320.0f, (0.5f - 0.5f * device.y) * 180.0f};
   }
-
-  std::unique_ptr<FrameRenderer> m_renderer;
-  Project m_project;
-  FrameInput m_input;
 };
 
 /// The row of a column at which the picture changes from sky to what stands before it, from above.

@@ -3,8 +3,7 @@
 #include <cmath>
 #include <functional>
 
-#include "tests/gpu/gpu_test.hpp"
-#include "tests/gpu/render/picture.hpp"
+#include "tests/gpu/render/render_fixture.hpp"
 #include "tests/height_fixture.hpp"
 
 namespace windloom {
@@ -16,23 +15,14 @@ using testing::draw;
 using testing::Picture;
 
 constexpr int kCells = 64;
-constexpr float kField = 40.0f;  // m a side
 
 /// A field of 40 m on 64 x 64 cells seen from above, 30 m of it at 6 pixels a metre: pixel (160, 90) is its centre.
-class Overlay : public testing::GpuTest {
+class Overlay : public testing::RenderTest {
  protected:
   void SetUp() override {
-    GpuTest::SetUp();
-    auto made = FrameRenderer::create(context(), shaders());
-    ASSERT_TRUE(made.ok()) << made.error().text();
-    m_renderer = std::move(*made);
-    GrassSettings grass;
-    grass.density = 10.0f;
-    m_project.grass = std::make_shared<GrassSettings>(grass);
-    FieldSettings field;
-    field.size = {kField, kField};
-    field.resolution = {kCells, kCells};
-    m_project.field = std::make_shared<FieldSettings>(field);
+    RenderTest::SetUp();
+    setDensity(10.0f);
+    setField(kCells);
     WindGraph graph;
     graph.points.resize(2);
     graph.points[0].id = 1;
@@ -45,18 +35,10 @@ class Overlay : public testing::GpuTest {
     arrow.to = 2;
     graph.arrows.push_back(arrow);
     m_project.graph = std::make_shared<WindGraph>(graph);
-    m_input.project = &m_project;
-    m_input.size = {320, 180};
     m_input.camera = above({0.0f, 0.0f}, 30.0f);
-    m_input.overlays.arrows = false;
     m_input.overlays.speedRange = 10.0f;
     m_input.time = 3.0;
     blow([](glm::vec2) { return glm::vec2(0.0f); });
-  }
-  void TearDown() override {
-    m_wind = {};
-    m_renderer.reset();
-    GpuTest::TearDown();
   }
 
   /// Wind m/s at places in m.
@@ -66,11 +48,11 @@ class Overlay : public testing::GpuTest {
     std::vector<glm::vec2> values;
     for (int k = 0; k < kCells; ++k) {
       for (int i = 0; i < kCells; ++i)
-        values.push_back(wind((glm::vec2(i, k) + 0.5f) * (kField / kCells) - 0.5f * kField));
+        values.push_back(wind((glm::vec2(i, k) + 0.5f) * (kFieldM / kCells) - 0.5f * kFieldM));
     }
     texture->upload(GL_RG, GL_FLOAT, values.data());
     m_wind = std::move(*texture);
-    m_input.wind = {m_wind.name(), makeGridMapping({0.0f, 0.0f}, {kField, kField}, {kCells, kCells})};
+    m_input.wind = {m_wind.name(), makeGridMapping({0.0f, 0.0f}, {kFieldM, kFieldM}, {kCells, kCells})};
   }
   void setObstacle() {
     Obstacle stone;
@@ -79,7 +61,6 @@ class Overlay : public testing::GpuTest {
     stone.height = 0.02f;
     m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{stone});
   }
-  Picture picture() { return draw(*m_renderer, m_input); }
   /// The picture with an overlay, and with none.
   std::pair<Picture, Picture> withAndWithout(const char* name) {
     const Overlays kept = m_input.overlays;
@@ -89,11 +70,6 @@ class Overlay : public testing::GpuTest {
     m_input.overlays = kept;
     return {std::move(marked), plain};
   }
-
-  std::unique_ptr<FrameRenderer> m_renderer;
-  Project m_project;
-  FrameInput m_input;
-  gpu::Texture m_wind;
 };
 
 float change(const std::pair<Picture, Picture>& pair, int x, int y) {
