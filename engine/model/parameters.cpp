@@ -16,7 +16,7 @@ constexpr std::array<Names, 4> kSignalKinds{"constant", "pulse", "gusts", "curve
 constexpr std::array<Names, 3> kObstacleShapes{"circle", "box", "polygon"};
 constexpr std::array<Names, 2> kGrassKinds{"instanced", "none"};
 constexpr std::array<Names, 3> kTerrainKinds{"flat", "heightmap", "mesh"};
-constexpr std::array<Names, 2> kDeformations{"arc", "quadratic"};
+constexpr std::array<Names, 3> kDeformations{"arc", "quadratic", "inertial"};
 
 // Within a thousand kilometres of the origin a float still resolves 6 cm.
 constexpr double kFar = 1e6;

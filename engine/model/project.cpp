@@ -1,13 +1,31 @@
 #include "engine/model/project.hpp"
 
 #include <algorithm>
+#include <tuple>
 
 namespace windloom {
+
+bool operator==(const Species& a, const Species& b) {
+  const auto values = [](const Species& s) {
+    return std::tie(s.id, s.name, s.shape, s.file, s.weight, s.patchiness, s.patchSize, s.height, s.heightVariation,
+                    s.width, s.stiffness, s.baseColour, s.tipColour, s.hidden, s.extra);
+  };
+  return values(a) == values(b);
+}
+
+bool operator==(const Collider& a, const Collider& b) {
+  const auto values = [](const Collider& c) {
+    return std::tie(c.id, c.name, c.shape, c.position, c.lift, c.radius, c.length, c.rotation, c.file, c.scale, c.keys,
+                    c.loop, c.roll, c.hidden, c.muted, c.locked, c.extra);
+  };
+  return values(a) == values(b);
+}
 
 bool Project::sameAs(const Project& other) const {
   return name == other.name && field == other.field && solver == other.solver && ambient == other.ambient &&
          graph == other.graph && obstacles == other.obstacles && terrain == other.terrain && grass == other.grass &&
-         probes == other.probes && cameras == other.cameras && extra == other.extra;
+         species == other.species && colliders == other.colliders && probes == other.probes &&
+         cameras == other.cameras && extra == other.extra;
 }
 
 Id nextFreeId(const Project& project) {
@@ -18,6 +36,8 @@ Id nextFreeId(const Project& project) {
   visit(project.graph->points);
   visit(project.graph->arrows);
   visit(*project.obstacles);
+  visit(*project.species);
+  visit(*project.colliders);
   visit(*project.probes);
   visit(*project.cameras);
   return highest + 1;

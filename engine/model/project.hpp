@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "engine/model/height_field.hpp"
+#include "engine/model/plant_mesh.hpp"
 #include "engine/model/wind_graph.hpp"
 
 namespace windloom {
@@ -105,12 +106,12 @@ struct Camera {
 
 struct TerrainSettings {
   TerrainKind kind = TerrainKind::Flat;
-  std::string file;                   ///< below the project's folder, '/' between folders; not for flat ground
-  glm::vec2 centre{0.0f, 0.0f};       ///< m; of the height map, or of the mesh's own origin
-  glm::vec2 size{100.0f, 100.0f};     ///< m; height map only
-  float height = 10.0f;               ///< m: white over black; height map only
-  float base = 0.0f;                  ///< m: height of black, or of the mesh's own zero
-  float scale = 1.0f;                 ///< of the mesh
+  std::string file;                       ///< below the project's folder, '/' between folders; not for flat ground
+  glm::vec2 centre{0.0f, 0.0f};           ///< m; of the height map, or of the mesh's own origin
+  glm::vec2 size{100.0f, 100.0f};         ///< m; height map only
+  float height = 10.0f;                   ///< m: white over black; height map only
+  float base = 0.0f;                      ///< m: height of black, or of the mesh's own zero
+  float scale = 1.0f;                     ///< of the mesh
   glm::vec3 colour{0.17f, 0.15f, 0.08f};  ///< bare ground between the blades, linear RGB
   std::string extra;
 
@@ -126,6 +127,7 @@ enum class GrassKind {
 enum class Deformation {
   Arc,        ///< keeps the blade's length, never lies down (reference/cwd-sim section 3, `arc`)
   Quadratic,  ///< CWD-Sim eq. 11-13 as printed, with the axis fix
+  Inertial,   ///< chains of segments that overshoot and settle (reference/inertial-grass)
 };
 
 struct GrassSettings {
@@ -152,8 +154,83 @@ struct GrassSettings {
   float shadowMax = 1.0f;                        ///< m_max of eq. 14
   float shadowWind = 0.25f;                      ///< c1 of eq. 14
   float shadowOffset = 0.45f;                    ///< c2 of eq. 14
+  float swingRate = 1.4f;            ///< Hz: how fast a pushed blade swings; inertial, and blades that objects bent
+  float swingDamping = 0.18f;        ///< of critical damping, 0.02..1
+  float windExponent = 4.0f / 3.0f;  ///< beta: how the force grows with the wind, 1..2; inertial
+  float slopeAlign = 0.3f;           ///< 0 upright, 1 at right angles to the ground
+  float slopeLimit = 50.0f;          ///< deg: no grass on ground steeper than this
+  int interacting = 20'000;          ///< blades at most that remember what touched them
+  std::string densityMap;  ///< picture over the field, below the project's folder: black grows nothing; empty: none
+  std::string heightMap;   ///< the same for the height: black 0, mid grey as it is, white twice
+  std::string colourMap;   ///< the same for the colour, times twice its sRGB value: mid grey changes nothing
   std::string extra;
+
+  /// The pictures themselves; null where there is none. Never saved: engine/io reads them (loadAssets).
+  std::shared_ptr<const GrassMap> densityPixels, heightPixels, colourPixels;
 };
+
+enum class PlantShape {
+  Blade,  ///< as the meadow's own, with its own measures and colours
+  Daisy,  ///< a stem with a white flower
+  Poppy,  ///< a stem with a cup
+  Spike,  ///< a stem with flowers along its upper part
+  Mesh,   ///< a glTF plant or tuft
+};
+
+/// Plants that grow among the meadow's own blades.
+struct Species {
+  Id id = 0;
+  std::string name;
+  PlantShape shape = PlantShape::Blade;
+  std::string file;              ///< of a mesh: glTF below the project's folder
+  float weight = 0.2f;           ///< plants for each of the meadow's own blades; all share GrassSettings::density
+  float patchiness = 0.5f;       ///< 0: everywhere alike; 1: only in patches
+  float patchSize = 8.0f;        ///< m
+  float height = 0.8f;           ///< m
+  float heightVariation = 0.3f;  ///< part of the height, 0..1
+  float width = 0.02f;           ///< m: of a blade or stem at its base; a mesh keeps its own proportions
+  float stiffness = 1.0f;        ///< as GrassSettings
+  glm::vec3 baseColour{0.035f, 0.075f, 0.014f};  ///< linear RGB at the root (blade, stem)
+  glm::vec3 tipColour{0.30f, 0.42f, 0.085f};     ///< linear RGB at the tip; of a flower's petals; times a mesh's own
+  bool hidden = false;
+  std::string extra;
+
+  /// Null until read (engine/io) and for shapes without a file. Never saved, not compared.
+  std::shared_ptr<const PlantMesh> mesh;
+};
+bool operator==(const Species& a, const Species& b);
+
+enum class ColliderShape { Sphere, Capsule, Mesh };
+
+/// Where a collider is at a time.
+struct ColliderKey {
+  float time = 0;          ///< s
+  glm::vec3 offset{0.0f};  ///< m from its place: x, height over the ground, z
+  bool operator==(const ColliderKey&) const = default;
+};
+
+/// A thing that moves through the grass and bends it. Wind doesn't feel it.
+struct Collider {
+  Id id = 0;
+  std::string name;
+  ColliderShape shape = ColliderShape::Sphere;
+  glm::vec2 position{0.0f, 0.0f};  ///< m
+  float lift = 0.0f;               ///< m between its lowest point and the ground
+  float radius = 0.5f;             ///< m; sphere and capsule
+  float length = 0.3f;             ///< m between the centres of a capsule's ends, which lies level
+  float rotation = 0.0f;           ///< deg from +X towards +Z: where capsule and mesh point, while they rest
+  std::string file;                ///< of a mesh: glTF below the project's folder
+  float scale = 1.0f;              ///< of the mesh
+  std::vector<ColliderKey> keys;   ///< ascending times; none: it rests
+  bool loop = true;                ///< begins again after its last key
+  bool roll = true;                ///< a sphere turns as it moves
+  bool hidden = false, muted = false, locked = false;
+  std::string extra;
+
+  /// Null until read (engine/io). Never saved, not compared.
+  std::shared_ptr<const PlantMesh> mesh;
+};
+bool operator==(const Collider& a, const Collider& b);
 
 /// Blades per m^2 that are drawn: the density, or 0 where there is no grass.
 inline float shownDensity(const GrassSettings& grass) {
@@ -177,6 +254,8 @@ struct Project {
   Shared<std::vector<Obstacle>> obstacles = std::make_shared<std::vector<Obstacle>>();
   Shared<TerrainSettings> terrain = std::make_shared<TerrainSettings>();
   Shared<GrassSettings> grass = std::make_shared<GrassSettings>();
+  Shared<std::vector<Species>> species = std::make_shared<std::vector<Species>>();
+  Shared<std::vector<Collider>> colliders = std::make_shared<std::vector<Collider>>();
   Shared<std::vector<Probe>> probes = std::make_shared<std::vector<Probe>>();
   Shared<std::vector<Camera>> cameras = std::make_shared<std::vector<Camera>>();
   Shared<std::string> extra = std::make_shared<std::string>();  ///< unknown top-level keys, JSON object text
@@ -185,7 +264,7 @@ struct Project {
   [[nodiscard]] bool sameAs(const Project& other) const;
 };
 
-/// Ids are unique over points, arrows, obstacles, probes and cameras of one project; 0 is no id.
+/// Ids are unique over points, arrows, obstacles, species, colliders, probes and cameras of one project; 0 is no id.
 /// The lowest id above every one in use.
 Id nextFreeId(const Project& project);
 

@@ -35,8 +35,10 @@ struct Highlight {
 
 /// How finely a frame is drawn.
 struct FrameQuality {
-  float detail = 1.0f;  ///< of the grass, 0..1: fewer blades far away first, then fewer near; 1 = all within reach
-  bool still = false;   ///< nothing moves: ground, maps and edges as fine as they can be, though it takes longer
+  float detail = 1.0f;   ///< of the grass, 0..1: fewer blades far away first, then fewer near; 1 = all within reach
+  bool thinning = true;  ///< false: every blade is drawn in full, however small, to compare pictures with
+  bool culling = true;   ///< false: blades out of sight are drawn, too, to compare times with
+  bool still = false;    ///< nothing moves: ground, maps and edges as fine as they can be, though it takes longer
 };
 
 struct FrameInput {
@@ -45,9 +47,9 @@ struct FrameInput {
   WindTexture wind;                       ///< name 0: still air
   double time = 0;                        ///< s
   ViewCamera camera;
-  glm::ivec2 size{1280, 720};             ///< pixels
-  unsigned framebuffer = 0;               ///< target, 8-bit colour; the picture is written sRGB-encoded
-  glm::ivec2 origin{0, 0};                ///< lower left corner in the target
+  glm::ivec2 size{1280, 720};  ///< pixels
+  unsigned framebuffer = 0;    ///< target, 8-bit colour; the picture is written sRGB-encoded
+  glm::ivec2 origin{0, 0};     ///< lower left corner in the target
   Overlays overlays;
   Highlight highlight;
   FrameQuality quality;
