@@ -81,7 +81,7 @@ TEST(ChainStatics, SofterAndLeaningBladesBendAsArcWouldBendThem) {
   for (int speed = 0; speed <= 40; ++speed) {
     const glm::vec2 wind(static_cast<float>(speed), 0.0f);
     const ChainLeans moments = shared::chainMoments(chain, shared::chainSteadyLeans(chain, wind));
-    for (const float relative : {0.6f, 1.0f, 1.6f, 4.0f}) {
+    for (const float relative : {0.6f, 1.0f, 1.6f, 2.5f}) {
       for (const glm::vec2 rest :
            {glm::vec2(0.0f), glm::vec2(0.3f, 0.0f), glm::vec2(-0.3f, 0.0f), glm::vec2(0.0f, 0.4f)}) {
         const float softness = shared::chainSoftness(chain, moments, rest, relative);
@@ -89,7 +89,7 @@ TEST(ChainStatics, SofterAndLeaningBladesBendAsArcWouldBendThem) {
         const glm::vec2 arc = arcSteadyBend(rest, wind, relative * chain.wind.w);
         // Rest poses are not saturated at rest here.
         const glm::vec2 still = arcSteadyBend(rest, {}, 1.0f);
-        ASSERT_LT(glm::length(rest + leans.e[3] - arc), (relative > 2.0f ? 0.2f : 0.13f) + glm::length(rest - still))
+        ASSERT_LT(glm::length(rest + leans.e[3] - arc), (relative > 2.0f ? 0.18f : 0.13f) + glm::length(rest - still))
             << speed << " m/s, " << relative;
         ChainLeans whole = leans;
         for (int i = 0; i < kSegments; ++i) whole.e[i] += rest * shared::chainShare(i);
