@@ -89,7 +89,7 @@ TEST(ChainStatics, SofterAndLeaningBladesBendAsArcWouldBendThem) {
         const glm::vec2 arc = arcSteadyBend(rest, wind, relative * chain.wind.w);
         // Rest poses are not saturated at rest here.
         const glm::vec2 still = arcSteadyBend(rest, {}, 1.0f);
-        ASSERT_LT(glm::length(rest + leans.e[3] - arc), (relative > 2.0f ? 0.18f : 0.13f) + glm::length(rest - still))
+        ASSERT_LT(glm::length(rest + leans.e[3] - arc), (relative > 2.0f ? 0.22f : 0.13f) + glm::length(rest - still))
             << speed << " m/s, " << relative;
         ChainLeans whole = leans;
         for (int i = 0; i < kSegments; ++i) whole.e[i] += rest * shared::chainShare(i);
