@@ -50,12 +50,6 @@ ColliderPrimitive seenFrom(ColliderPrimitive primitive, vec3 root, vec3 normal) 
                            vec4(unplanted(primitive.b.xyz - root, normal), 0.0));
 }
 
-float standingHeight(BladeRoot own) {
-  float height = own.height * (0.6 + 0.4 * smoothstep(0.0, 0.5, solidsNear(own.root).distanceM));
-  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, inMargin(own.root)));
-  return height * canopy * (1.0 + 0.5 * grass.size.z * (noiseAtLevel(own.root, 13.0, 1.0).g - 0.5));
-}
-
 ContactChain chainOf(BladeRoot own, BladePose pose, float height, vec2 turned[CHAIN_SEGMENTS]) {
   ContactChain chain;
   chain.bent = 0u;

@@ -8,6 +8,13 @@ struct BladePose {
   ChainLeans leans;  // of its segments over the bend
 };
 
+// m: lower beside solids and in the meadow's margin, but whatever the camera sees of it.
+float standingHeight(BladeRoot own) {
+  float height = own.height * (0.6 + 0.4 * smoothstep(0.0, 0.5, solidsNear(own.root).distanceM));
+  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, inMargin(own.root)));
+  return height * canopy * (1.0 + 0.5 * grass.size.z * (noiseAtLevel(own.root, 13.0, 1.0).g - 0.5));
+}
+
 // `state`: of the blade's random numbers, after those for margin and width; takes four of them. `felt`: wind with its ripples.
 BladePose blockPose(BladeRoot own, inout uint state, vec2 felt) {
   BladePose pose;
