@@ -11,6 +11,7 @@
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/virtual_wind.glsl"
+#include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_pose.glsl"
 #define PATCH_STATE_ACCESS
 #include "shaders/include/grass_patches.glsl"
@@ -113,10 +114,7 @@ void main() {
   hidden = false;
   if (anythingNear(root, own.height * 1.25)) {
     float height = standingHeight(own);
-    uint state = own.state;
-    unit(state);
-    unit(state);
-    BladePose pose = blockPose(own, state, rippledWind(own.root, groupWind(own.root), grass.motion.z));
+    BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
     ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));
     hidden = !touched(chain, root, groundNormal(own.root), height);
     vec2 below = vec2(0.0);

@@ -9,6 +9,7 @@
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/virtual_wind.glsl"
+#include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_pose.glsl"
 #include "shaders/include/grass_patches.glsl"
 
@@ -29,10 +30,7 @@ void main() {
   int slot = patchOf(tile);
   ChainLeans leans;
   bool drawn = patchLeans(slot, index, leans);
-  uint state = own.state;
-  unit(state);
-  unit(state);
-  BladePose pose = blockPose(own, state, rippledWind(own.root, groupWind(own.root), grass.motion.z));
+  BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
   float height = standingHeight(own);
   vec3 at = vec3(0.0);
   vec3 before = vec3(0.0);
