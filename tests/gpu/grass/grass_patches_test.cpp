@@ -17,7 +17,7 @@ struct Seen {
   glm::vec4 root;
   glm::vec4 points[kSegments];
   glm::vec4 low, high;
-  glm::uvec4 state;
+  glm::uvec4 tile;
 
   [[nodiscard]] bool drawn() const { return root.w > 0.5f; }
   [[nodiscard]] int slot() const { return static_cast<int>(points[0].w); }
@@ -204,7 +204,7 @@ TEST_F(GrassPatchesGpu, BladesRiseAsDampedSwingsAndOvershoot) {
   for (const glm::vec4& joint : joints) EXPECT_TRUE(joint.z == 0.0f && joint.w == 0.0f) << "what was bent stands still";
 
   // Each joint by the chain's own rule on the processor.
-  const float rate = 0.85f + 0.3f * shared::hashToUnit(shared::pcgHash(pressed[chosen].state.x ^ 0x7f4a7c15u));
+  const float rate = shared::patchRate(pressed[chosen].tile.x, static_cast<std::uint32_t>(chosen));
   const float omega0 = 2.0f * 3.14159265f * m_scene->grass.swingRate * rate;
   const float damping = 2.0f * m_scene->grass.swingDamping * omega0;
   const int parts = shared::chainParts(kDt, omega0 * omega0);
