@@ -38,6 +38,7 @@ void main() {
   float tall = grass.baseColour.w * pixels;
   // As far as fewer blades cover it than grow there.
   float covered = keptByHeight(tall, grass.cover.w) * min(grass.cover.y * grass.size.x * pixels / grass.cover.x, 1.0);
+  covered *= 1.0 - hiddenPart(dot(slope.normal, v));
   float blended = grass.tileCentre.w > 0.5 ? 0.0 : 1.0 - covered;
   float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileCentre.z));
   vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
