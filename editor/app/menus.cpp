@@ -12,7 +12,7 @@ namespace windloom::editor {
 
 namespace {
 
-constexpr const char* kMenus[] = {"File", "Edit", "Select", "Graph", "Tools", "View", "Play", "Help"};
+constexpr const char* kMenus[] = {"File", "Edit", "Select", "Add", "Graph", "Tools", "View", "Play", "Help"};
 
 void actionItem(ActionTable& actions, const Action& action) {
   const std::string label = actions.label(action.id), shortcut = actions.shortcutText(action.id);

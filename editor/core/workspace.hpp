@@ -110,9 +110,13 @@ class Workspace {
   Id m_lookedThrough = 0;
 };
 
-/// Adds file, edit, select, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
+/// A place on the ground in the middle of the view, beside the colliders that stand there.
+glm::vec2 freePlace(Workspace& workspace, float reachM);
+
+/// Adds file, edit, select, add, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
 /// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
-/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked; graph.extrude
+/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked;
+/// add.collider add.tall_grass add.daisies add.poppies add.spikes; graph.extrude
 /// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
 /// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.brush tool.probe tool.delete

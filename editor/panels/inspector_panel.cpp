@@ -34,6 +34,10 @@ const char* kindName(InspectorKind kind) {
       return "signal";
     case InspectorKind::Obstacle:
       return "obstacle";
+    case InspectorKind::Species:
+      return "species";
+    case InspectorKind::Collider:
+      return "collider";
     case InspectorKind::Probe:
       return "probe";
     case InspectorKind::Camera:
@@ -87,7 +91,8 @@ void drawSelection(PanelContext& context) {
     ImGui::TextDisabled("Nothing is selected.");
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled(
-        "Click an arrow, a point or an obstacle; Shift adds, Ctrl toggles, dragging on empty ground selects a box.");
+        "Click an arrow, a point, an obstacle or a collider; Shift adds, Ctrl toggles, dragging on empty ground "
+        "selects a box.");
     ImGui::PopTextWrapPos();
     return;
   }
