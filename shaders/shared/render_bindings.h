@@ -5,6 +5,7 @@
 // Uniform buffers.
 #define RENDER_UBO_FRAME 0
 #define RENDER_UBO_GRASS 1
+#define RENDER_UBO_GRASS_MAPS 3
 
 // Textures.
 #define RENDER_TEXTURE_WIND 0
@@ -14,6 +15,10 @@
 #define RENDER_TEXTURE_MAP 8
 #define RENDER_TEXTURE_GROUND 4
 #define RENDER_TEXTURE_GROUND_LIGHT 5
+#define RENDER_TEXTURE_PLANT 9
+#define RENDER_TEXTURE_DENSITY_MAP 11
+#define RENDER_TEXTURE_HEIGHT_MAP 12
+#define RENDER_TEXTURE_COLOUR_MAP 13
 
 // Storage buffers.
 #define RENDER_SSBO_CHUNKS 0
@@ -28,5 +33,9 @@
 #define RENDER_SSBO_GROUND_TILES 4
 #define RENDER_SSBO_GRASS_BOUNDS 4
 #define RENDER_SSBO_CORNERS 5
+// The placing of plants other than blades has no chunks, blades and solids.
+#define RENDER_SSBO_PLANTS 1
+#define RENDER_SSBO_PLANT_COMMANDS 2
+#define RENDER_SSBO_PLANT_KINDS 3
 
 #endif
