@@ -6,7 +6,6 @@
 #include <memory>
 
 #include "engine/core/result.hpp"
-#include "engine/gpu/buffer.hpp"
 #include "engine/gpu/texture.hpp"
 #include "engine/model/project.hpp"
 
@@ -17,7 +16,7 @@ class GrassMaps {
   /// Fails with Machine.
   static Result<GrassMaps> create();
 
-  /// Takes over maps and slope limit; a map that is the same as before is not uploaded again. Fails with Machine; the
+  /// Takes over the maps; a map that is the same as before is not uploaded again. Fails with Machine; the
   /// maps then stay as they were.
   Status configure(const GrassSettings& grass);
 
@@ -33,7 +32,6 @@ class GrassMaps {
   static Status adopt(Map& map, const std::shared_ptr<const GrassMap>& pixels, const char* label, std::uint8_t neutral);
 
   std::array<Map, 3> m_maps;  // density, height, colour
-  gpu::Buffer m_block;
 };
 
 }  // namespace windloom

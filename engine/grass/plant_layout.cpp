@@ -27,13 +27,13 @@ float shareOf(const std::vector<Species>& species) {
 }
 
 /// Half of the widest part over the height.
-float widestPart(const PlantMesh& mesh) {
+float widestPart(const PlantMeshSummary& mesh) {
   const float x = std::max(mesh.high.x, -mesh.low.x), z = std::max(mesh.high.z, -mesh.low.z);
   return 2.0f * std::max(x, z) / std::max(mesh.high.y, 1e-6f);
 }
 
 /// What of a plant is seen from afar: a flower's head, a mesh's body.
-float seenWidth(const Species& species, const PlantMesh& mesh) {
+float seenWidth(const Species& species, const PlantMeshSummary& mesh) {
   switch (species.shape) {
     case PlantShape::Daisy:
       return 0.12f;
@@ -68,7 +68,7 @@ std::vector<std::size_t> meshSpecies(const GrassSettings& grass, const std::vect
 }
 
 PlantKind makePlantKind(const GrassSettings& grass, const std::vector<Species>& species, std::size_t index,
-                        const PlantMesh& mesh) {
+                        const PlantMeshSummary& mesh) {
   const Species& one = species[index];
   const bool builtIn = one.shape != PlantShape::Mesh;
   const float height = std::max(one.height, 0.01f);
@@ -77,7 +77,7 @@ PlantKind makePlantKind(const GrassSettings& grass, const std::vector<Species>& 
   const float candidates = plantDensity(grass, species, index) / glm::mix(1.0f, kPatchMean, patchiness);
   const auto sideLog = static_cast<int>(std::lround(0.5f * std::log2(kPlantsInCell / std::max(candidates, 1e-6f))));
   const float side = std::exp2(static_cast<float>(std::clamp(sideLog, kLeastSideLog, kMostSideLog)));
-  const float triangles = static_cast<float>(mesh.indices.size() / 3);
+  const float triangles = static_cast<float>(mesh.triangles);
   PlantKind kind{};
   kind.size = {height, std::clamp(one.heightVariation, 0.0f, 1.0f), height / std::max(mesh.high.y, 1e-6f),
                seenWidth(one, mesh)};
@@ -87,7 +87,7 @@ PlantKind makePlantKind(const GrassSettings& grass, const std::vector<Species>& 
   kind.levels = {std::clamp(5.0f * std::sqrt(triangles), kNearPixels, kMostNearPixels), kLeastPixels, kGonePixels,
                  kMostWidening};
   // A built-in flower has its colours in its mesh.
-  kind.tint = glm::vec4(builtIn ? glm::vec3(1.0f) : one.tipColour, mesh.textureSize.x > 0 ? 1.0f : 0.0f);
+  kind.tint = glm::vec4(builtIn ? glm::vec3(1.0f) : one.tipColour, mesh.textured ? 1.0f : 0.0f);
   kind.kind = {builtIn ? 1.0f : 0.0f, mesh.alphaCutoff, 0.0f, 0.0f};
   kind.seed = shared::hashCombine(static_cast<std::uint32_t>(one.id), static_cast<std::uint32_t>(grass.seed));
   return kind;

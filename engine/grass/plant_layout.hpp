@@ -39,9 +39,17 @@ struct PlantCells {
 /// The cells of a species over the field and its margin, those within its reach of the eye.
 PlantCells cellsInReach(const PlantKind& kind, const FieldSettings& field, const PlantView& view);
 
+/// What the layout needs to know of a mesh.
+struct PlantMeshSummary {
+  glm::vec3 low{0.0f}, high{0.0f};  ///< bounds
+  std::size_t triangles = 0;
+  bool textured = false;
+  float alphaCutoff = 0.5f;
+};
+
 /// The shaders' view of a species; `mesh` is what it is drawn from. `first` and `room` are left 0.
 PlantKind makePlantKind(const GrassSettings& grass, const std::vector<Species>& species, std::size_t index,
-                        const PlantMesh& mesh);
+                        const PlantMeshSummary& mesh);
 
 /// Most plants of a species that can be drawn at once in each level.
 glm::uvec2 plantRoom(const PlantKind& kind, const FieldSettings& field);

@@ -32,6 +32,10 @@ bool sameMesh(const Species& a, const Species& b) {
          (a.height == b.height && a.width == b.width && a.baseColour == b.baseColour && a.tipColour == b.tipColour);
 }
 
+PlantMeshSummary summaryOf(const PlantMesh& mesh) {
+  return {mesh.low, mesh.high, mesh.indices.size() / 3, mesh.textureSize.x > 0, mesh.alphaCutoff};
+}
+
 }  // namespace
 
 Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
@@ -71,9 +75,6 @@ Status PlantPass::upload(Kind& kind, const PlantMesh& near, const PlantMesh& far
   kind.count[1] = static_cast<std::uint32_t>(far.indices.size());
   kind.firstIndex[1] = kind.count[0];
   kind.baseVertex[1] = static_cast<std::uint32_t>(near.vertices.size());
-  kind.low = near.low;
-  kind.high = near.high;
-  kind.alphaCutoff = near.alphaCutoff;
   kind.array = gpu::VertexArray::create("plant");
   kind.array.vertexBuffer(kMeshSlot, kind.vertices, sizeof(PlantVertex));
   kind.array.floats(0, kMeshSlot, 3, offsetof(PlantVertex, position));
@@ -94,7 +95,6 @@ Status PlantPass::makeTexture(Kind& kind, const PlantMesh& mesh) {
   for (std::size_t level = 0; level < levels.size(); ++level)
     texture->upload(GL_RGBA, GL_UNSIGNED_BYTE, levels[level].pixels.data(), static_cast<int>(level));
   kind.texture = std::move(*texture);
-  kind.textureSize = mesh.textureSize;
   return Done{};
 }
 
@@ -102,9 +102,11 @@ Status PlantPass::makeMesh(Kind& kind, const Species& species) {
   kind.made = species;
   if (species.shape != PlantShape::Mesh) {
     const FlowerMesh flower = makeFlower(species);
+    kind.mesh = summaryOf(flower.near);
     return upload(kind, flower.near, flower.far);
   }
   if (Status made = makeTexture(kind, *species.mesh); !made) return made;
+  kind.mesh = summaryOf(*species.mesh);
   return upload(kind, *species.mesh, simplified(*species.mesh, kFarTriangles));
 }
 
@@ -117,54 +119,54 @@ void PlantPass::bindPlants(Kind& kind) const {
 }
 
 /// Gives each species its part of the list and makes the list anew where it is too short.
-Status PlantPass::makeRoom(std::vector<Kind>& kinds, const FieldSettings& field) {
+Status PlantPass::makeRoom(std::vector<PlantKind>& blocks, const FieldSettings& field) {
   std::uint32_t all = 0;
-  for (Kind& kind : kinds) {
-    const glm::uvec2 room = plantRoom(kind.block, field);
+  for (PlantKind& block : blocks) {
+    const glm::uvec2 room = plantRoom(block, field);
     for (int level = 0; level < static_cast<int>(PLANT_LEVELS); ++level) {
-      kind.block.first[level] = all;
-      kind.block.room[level] = room[level];
+      block.first[level] = all;
+      block.room[level] = room[level];
       all += room[level];
     }
   }
   const std::size_t bytes = static_cast<std::size_t>(all) * sizeof(PlantInstance);
-  if (bytes > m_plants.bytes() || bytes < m_plants.bytes() / 4) {
-    Result<gpu::Buffer> plants =
-        gpu::Buffer::create("plants", std::max<std::size_t>(bytes, sizeof(PlantInstance)), gpu::BufferUse::Static);
-    if (!plants) return plants.error();
-    m_plants = std::move(*plants);
-  }
-  for (Kind& kind : kinds) bindPlants(kind);
+  if (bytes <= m_plants.bytes() && bytes >= m_plants.bytes() / 4) return Done{};
+  Result<gpu::Buffer> plants =
+      gpu::Buffer::create("plants", std::max(bytes, sizeof(PlantInstance)), gpu::BufferUse::Static);
+  if (!plants) return plants.error();
+  m_plants = std::move(*plants);
   return Done{};
 }
 
 Status PlantPass::configure(const FieldSettings& field, const GrassSettings& grass,
                             const std::vector<Species>& species) {
-  std::vector<Kind> fresh;
-  for (const std::size_t index : meshSpecies(grass, species)) {
-    const auto old = std::ranges::find_if(m_kinds, [&](const Kind& kind) {
-      return kind.made.id == species[index].id && sameMesh(kind.made, species[index]) && kind.vertices.name() != 0;
-    });
-    Kind kind;
-    if (old == m_kinds.end()) {
-      if (Status made = makeMesh(kind, species[index]); !made) return made;
-    } else {
-      kind = std::move(*old);
-    }
-    PlantMesh bounds;
-    bounds.low = kind.low;
-    bounds.high = kind.high;
-    bounds.alphaCutoff = kind.alphaCutoff;
-    bounds.textureSize = kind.textureSize;
-    bounds.indices.resize(kind.count[0]);
-    kind.index = index;
-    kind.block = makePlantKind(grass, species, index, bounds);
-    fresh.push_back(std::move(kind));
+  const std::vector<std::size_t> shown = meshSpecies(grass, species);
+  const auto known = [&](const Species& one) {
+    return std::ranges::find_if(m_kinds,
+                                [&](const Kind& kind) { return kind.made.id == one.id && sameMesh(kind.made, one); });
+  };
+  // All that may fail comes before anything is taken from the kinds there are.
+  std::vector<Kind> fresh(shown.size());
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const Species& one = species[shown[i]];
+    if (known(one) != m_kinds.end()) continue;
+    if (Status made = makeMesh(fresh[i], one); !made) return made;
+  }
+  std::vector<PlantKind> blocks;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    const auto old = known(species[shown[i]]);
+    const Kind& kind = old != m_kinds.end() ? *old : fresh[i];
+    blocks.push_back(makePlantKind(grass, species, shown[i], kind.mesh));
+  }
+  if (Status made = makeRoom(blocks, field); !made) return made;
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (const auto old = known(species[shown[i]]); old != m_kinds.end()) fresh[i] = std::move(*old);
+    fresh[i].index = shown[i];
+    fresh[i].block = blocks[i];
+    bindPlants(fresh[i]);
   }
   m_field = field;
   m_kinds = std::move(fresh);
-  if (m_kinds.empty()) return Done{};
-  if (Status made = makeRoom(m_kinds, field); !made) return made;
   for (std::size_t i = 0; i < m_kinds.size(); ++i)
     m_blocks.write(&m_kinds[i].block, sizeof(PlantKind), i * sizeof(PlantKind));
   return Done{};
@@ -215,7 +217,7 @@ void PlantPass::draw(const gpu::PassState& state) {
     gpu::apply(own);
     m_draw->set("species", static_cast<int>(i));
     m_draw->set("textured", textured ? 1.0f : 0.0f);
-    m_draw->set("alphaCutoff", kind.alphaCutoff);
+    m_draw->set("alphaCutoff", kind.mesh.alphaCutoff);
     if (textured) kind.texture.bind(RENDER_TEXTURE_PLANT);
     kind.array.bind();
     const std::size_t offset = i * PLANT_LEVELS * sizeof(PlantCommand);

@@ -47,16 +47,14 @@ class PlantPass {
     gpu::Texture texture;
     gpu::VertexArray array;
     std::uint32_t count[PLANT_LEVELS] = {}, firstIndex[PLANT_LEVELS] = {}, baseVertex[PLANT_LEVELS] = {};
-    glm::vec3 low{0.0f}, high{0.0f};
-    glm::ivec2 textureSize{0};
-    float alphaCutoff = 0.5f;
+    PlantMeshSummary mesh;
   };
 
   PlantPass() = default;
   static Status makeMesh(Kind& kind, const Species& species);
   static Status upload(Kind& kind, const PlantMesh& near, const PlantMesh& far);
   static Status makeTexture(Kind& kind, const PlantMesh& mesh);
-  Status makeRoom(std::vector<Kind>& kinds, const FieldSettings& field);
+  Status makeRoom(std::vector<PlantKind>& blocks, const FieldSettings& field);
   void bindPlants(Kind& kind) const;
 
   gpu::Program* m_place = nullptr;

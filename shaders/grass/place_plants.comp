@@ -9,6 +9,7 @@
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/plant_pose.glsl"
+#include "shaders/shared/plant_block.h"
 #include "shaders/shared/hash.h"
 
 layout(local_size_x = PLANT_GROUP) in;

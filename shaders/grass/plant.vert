@@ -7,6 +7,7 @@
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/plant_pose.glsl"
+#include "shaders/shared/plant_block.h"
 
 layout(location = 0) in vec3 meshPosition;
 layout(location = 1) in vec3 meshNormal;

@@ -1,11 +1,9 @@
-// Pictures laid over the field that change the meadow, and slopes too steep for it. Needs frame.glsl. Neutral where
+// Pictures laid over the field that change the meadow, and slopes too steep for it. Needs frame.glsl, meadow.glsl. Neutral where
 // there is no map; beyond the field the map's edge goes on.
-#include "shaders/shared/plant_block.h"
 
 layout(binding = RENDER_TEXTURE_DENSITY_MAP) uniform sampler2D densityMap;
 layout(binding = RENDER_TEXTURE_HEIGHT_MAP) uniform sampler2D heightMap;
 layout(binding = RENDER_TEXTURE_COLOUR_MAP) uniform sampler2D colourMap;
-layout(std140, binding = RENDER_UBO_GRASS_MAPS) uniform GrassMapUniforms { GrassMapBlock grassMaps; };
 
 vec2 mapPlace(vec2 world) { return (world - frame.field.xy) / frame.field.zw; }
 
@@ -27,4 +25,4 @@ float mapHeight(vec2 world) { return aroundGrey(vec3(mapLuma(textureLod(heightMa
 vec3 mapColour(vec2 world) { return aroundGrey(textureLod(colourMap, mapPlace(world), 0.0).rgb); }
 
 // Part of the plants that grow on ground with this normal, 0..1.
-float slopeDensity(vec3 normal) { return smoothstep(grassMaps.slope.x, grassMaps.slope.y, normal.y); }
+float slopeDensity(vec3 normal) { return smoothstep(grass.ground.y, grass.ground.z, normal.y); }

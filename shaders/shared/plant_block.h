@@ -1,4 +1,4 @@
-// Plants other than blades as their passes see them (std430), and where maps change them (std140).
+// Plants other than blades as their passes see them (std430).
 #ifndef WINDLOOM_SHARED_PLANT_BLOCK_H
 #define WINDLOOM_SHARED_PLANT_BLOCK_H
 #include "shaders/shared/language.h"
@@ -50,15 +50,10 @@ struct PlantCommand {
   uint baseInstance;
 };
 
-struct GrassMapBlock {
-  vec4 slope;  // x, y cosine of the slopes where nothing and where everything grows
-};
-
 WL_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(windloom::shared::PlantKind) == 128, "std430 layout");
 static_assert(sizeof(windloom::shared::PlantInstance) == 48, "std430 layout");
 static_assert(sizeof(windloom::shared::PlantCommand) == 20, "std430 layout");
-static_assert(sizeof(windloom::shared::GrassMapBlock) == 16, "std140 layout");
 #endif
 #endif

@@ -5,7 +5,6 @@
 // Uniform buffers.
 #define RENDER_UBO_FRAME 0
 #define RENDER_UBO_GRASS 1
-#define RENDER_UBO_GRASS_MAPS 3
 
 // Textures.
 #define RENDER_TEXTURE_WIND 0
@@ -15,6 +14,7 @@
 #define RENDER_TEXTURE_MAP 8
 #define RENDER_TEXTURE_GROUND 4
 #define RENDER_TEXTURE_GROUND_LIGHT 5
+#define RENDER_TEXTURE_OCCLUDERS 6
 #define RENDER_TEXTURE_PLANT 9
 #define RENDER_TEXTURE_DENSITY_MAP 11
 #define RENDER_TEXTURE_HEIGHT_MAP 12
@@ -33,6 +33,8 @@
 #define RENDER_SSBO_GROUND_TILES 4
 #define RENDER_SSBO_GRASS_BOUNDS 4
 #define RENDER_SSBO_CORNERS 5
+#define RENDER_SSBO_TILE_WORK 6
+#define RENDER_SSBO_GROUP_WORK 7
 // The placing of plants other than blades has no chunks, blades and solids.
 #define RENDER_SSBO_PLANTS 1
 #define RENDER_SSBO_PLANT_COMMANDS 2
