@@ -7,15 +7,21 @@ namespace {
 
 constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/cull tiles", {"grass/cull_tiles.comp"}},
+    {"grass/scan groups", {"grass/scan_groups.comp"}},
+    {"grass/list chunks", {"grass/list_chunks.comp"}},
     {"grass/place blades", {"grass/place_blades.comp"}},
     {"grass/blade near", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=6"},
     {"grass/blade middle", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=3"},
     {"grass/blade far", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=1"},
+    {"grass/place plants", {"grass/place_plants.comp"}},
+    {"grass/plant", {"grass/plant.vert", "grass/plant.frag"}},
 };
 
 }  // namespace
 
-std::span<const gpu::ProgramSpec> grassPrograms() { return kPrograms; }
+std::span<const gpu::ProgramSpec> grassPrograms() {
+  return kPrograms;
+}
 
 const gpu::ProgramSpec& grassProgram(std::string_view name) {
   const auto* found = std::ranges::find(kPrograms, name, &gpu::ProgramSpec::name);
