@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "editor/core/actions.hpp"
+#include "editor/core/asset_load.hpp"
 #include "editor/core/camera_control.hpp"
 #include "editor/core/document.hpp"
 #include "editor/core/document_flow.hpp"
@@ -43,6 +44,7 @@ class Workspace {
   Preferences preferences;
   Ground ground;  ///< follows the document's terrain and the height of its grass
   TerrainLoad terrainLoad;
+  AssetLoad assetLoad;
   glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
 
   /// The system's clipboard; the app sets both. Without them copy and paste stay inside the editor.
@@ -60,7 +62,7 @@ class Workspace {
   bool keyPressed(const KeyPress& press);
   void keyReleased(Key key);
   void focusLost();
-  /// Once a frame: flying, the terrain that was read meanwhile, and the clock that the brush measures speeds by.
+  /// Once a frame: flying, the files that were read meanwhile, and the clock that the brush measures speeds by.
   void tick(double seconds, Modifiers held);
 
   /// The one way panels change the project: applies, tells refusals in the status line. True where applied.
@@ -70,6 +72,9 @@ class Workspace {
   /// as it was. False where the project has to be saved first, which is told.
   bool loadTerrain(const std::filesystem::path& file);
   bool mayLoadTerrain();
+  /// The same for the file of a species, a collider or a map of the grass, see assetEdit. A new record is selected.
+  bool loadAsset(AssetTarget target, const std::filesystem::path& file);
+  bool mayLoadAsset();
   void undo();
   void redo();
   void jumpTo(std::size_t historyEntry);
@@ -97,6 +102,8 @@ class Workspace {
 
  private:
   void takeTerrain();
+  void takeAsset();
+  bool isStillBeside(const std::filesystem::path& file);
   void followGround();
   void keepEyeAboveGround();
   void takeToolMessage();
