@@ -5,7 +5,9 @@
 #include "engine/core/log.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/timer.hpp"
+#include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
+#include "engine/grass/plant_pass.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/ground_pass.hpp"
@@ -24,6 +26,8 @@ constexpr float kSoftwareFullDetail = 0.6f;
 
 struct Parts {
   InstancedGrass grass;
+  GrassMaps maps;
+  PlantPass plants;
   Backdrop backdrop;
   GroundPass ground;
   SolidPass solids;
@@ -35,6 +39,10 @@ struct Parts {
 Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   Result<InstancedGrass> grass = InstancedGrass::create(shaders);
   if (!grass) return grass.error();
+  Result<GrassMaps> maps = GrassMaps::create();
+  if (!maps) return maps.error();
+  Result<PlantPass> plants = PlantPass::create(shaders);
+  if (!plants) return plants.error();
   Result<Backdrop> backdrop = Backdrop::create(shaders);
   if (!backdrop) return backdrop.error();
   Result<GroundPass> ground = GroundPass::create(shaders);
@@ -47,8 +55,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),    std::move(*backdrop), std::move(*ground), std::move(*solids),
-               std::move(*overlays), std::move(*noise),    std::move(*frame)};
+  return Parts{std::move(*grass),  std::move(*maps),     std::move(*plants), std::move(*backdrop), std::move(*ground),
+               std::move(*solids), std::move(*overlays), std::move(*noise),  std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -86,6 +94,7 @@ class FrameRendererImpl final : public FrameRenderer {
     bindFrame(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
+    m_parts.plants.prepare(plantView(input));
     drawScene(input);
     if (input.overlays.any()) {
       const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
@@ -107,12 +116,17 @@ class FrameRendererImpl final : public FrameRenderer {
     if (ground || project.field != m_field || project.grass != m_grass) {
       if (!accept(m_parts.grass.configure(*project.field, *project.grass, heights.get()))) return false;
     }
+    if (project.grass != m_grass && !accept(m_parts.maps.configure(*project.grass))) return false;
+    if (project.field != m_field || project.grass != m_grass || project.species != m_species) {
+      if (!accept(m_parts.plants.configure(*project.field, *project.grass, *project.species))) return false;
+    }
     if (ground || project.field != m_field || project.obstacles != m_obstacles) {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
+    m_species = project.species;
     m_obstacles = project.obstacles;
     return true;
   }
@@ -145,6 +159,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.frame.bindUniform(RENDER_UBO_FRAME);
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling};
     accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block, 0));
+    m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
     m_parts.ground.bind();
     m_parts.solids.updateMap();
@@ -154,6 +169,15 @@ class FrameRendererImpl final : public FrameRenderer {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     glBindTextureUnit(RENDER_TEXTURE_WIND, input.wind.name != 0 ? input.wind.name : m_parts.noise.name());
     m_windSampler.bind();
+  }
+
+  [[nodiscard]] PlantView plantView(const FrameInput& input) const {
+    return {.eye = glm::vec3(m_block.cameraPosition),
+            .orthographic = m_block.cameraPosition.w > 0.5f,
+            .pixelScale = m_block.pixelScale.x,
+            .detail = input.quality.detail,
+            .thinning = input.quality.thinning,
+            .culling = input.quality.culling};
   }
 
   void drawScene(const FrameInput& input) {
@@ -166,6 +190,8 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.solids.draw(state);
     m_timer.stage("grass");
     m_parts.grass.draw(state);
+    m_timer.stage("plants");
+    m_parts.plants.draw(state);
     m_timer.stage("ground");
     const auto detail = quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full;
     if (m_parts.ground.flat()) {
@@ -195,6 +221,7 @@ class FrameRendererImpl final : public FrameRenderer {
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
+  Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
   std::string m_lastError;
 };

@@ -15,6 +15,10 @@
 #define RENDER_TEXTURE_GROUND 4
 #define RENDER_TEXTURE_GROUND_LIGHT 5
 #define RENDER_TEXTURE_OCCLUDERS 6
+#define RENDER_TEXTURE_PLANT 9
+#define RENDER_TEXTURE_DENSITY_MAP 11
+#define RENDER_TEXTURE_HEIGHT_MAP 12
+#define RENDER_TEXTURE_COLOUR_MAP 13
 
 // Storage buffers.
 #define RENDER_SSBO_CHUNKS 0
@@ -31,5 +35,9 @@
 #define RENDER_SSBO_CORNERS 5
 #define RENDER_SSBO_TILE_WORK 6
 #define RENDER_SSBO_GROUP_WORK 7
+// The placing of plants other than blades has no chunks, blades and solids.
+#define RENDER_SSBO_PLANTS 1
+#define RENDER_SSBO_PLANT_COMMANDS 2
+#define RENDER_SSBO_PLANT_KINDS 3
 
 #endif
