@@ -5,9 +5,8 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
-#include <vector>
 
+#include "editor/core/background_read.hpp"
 #include "engine/core/result.hpp"
 #include "engine/model/edit.hpp"
 
@@ -15,29 +14,18 @@ namespace windloom::editor {
 
 class TerrainLoad {
  public:
-  TerrainLoad() = default;
-  ~TerrainLoad();  ///< waits for what still reads
-  TerrainLoad(const TerrainLoad&) = delete;
-  TerrainLoad& operator=(const TerrainLoad&) = delete;
-
   /// Begins to read `file` for the project at `projectFile`; what was being read is given up.
   void start(std::filesystem::path file, std::filesystem::path projectFile);
-  [[nodiscard]] bool running() const { return m_job != nullptr; }
+  [[nodiscard]] bool running() const { return m_read.running(); }
   /// "Reading hills.png"; empty where nothing runs.
-  [[nodiscard]] std::string doing() const;
+  [[nodiscard]] std::string doing() const { return m_read.doing(); }
   /// Nothing comes of it any more, and nothing is copied.
-  void cancel();
+  void cancel() { m_read.cancel(); }
   /// The source with its file's name, once, when it is there. Fails as readTerrainFile and bringAsset.
-  std::optional<Result<std::shared_ptr<const HeightSource>>> poll();
+  std::optional<Result<std::shared_ptr<const HeightSource>>> poll() { return m_read.poll(); }
 
  private:
-  struct Job;
-  std::shared_ptr<Job> m_job;
-  struct Worker {
-    std::thread thread;
-    std::shared_ptr<Job> job;
-  };
-  std::vector<Worker> m_workers;
+  BackgroundRead<std::shared_ptr<const HeightSource>> m_read;
 };
 
 /// Makes a source the project's ground, as one step. A first height map covers the wind field; one that takes the place

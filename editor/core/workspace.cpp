@@ -12,6 +12,7 @@ Workspace::Workspace() {
   flow.onDone = [this](const std::string& text) { say(MessageKind::Info, text); };
   flow.onReplaced = [this] {
     terrainLoad.cancel();
+    assetLoad.cancel();
     followGround();
     selection.clear();
     strokes.clear();
@@ -112,6 +113,7 @@ void Workspace::focusLost() {
 
 void Workspace::tick(double seconds, Modifiers held) {
   takeTerrain();
+  takeAsset();
   followGround();
   m_seconds += seconds;
   navigator.tick(camera, seconds, held);
@@ -139,14 +141,42 @@ void Workspace::takeTerrain() {
     if (flow.onFailure) flow.onFailure(loaded->error());
     return;
   }
-  const std::filesystem::path file = (**loaded)->file;
-  const std::string name = file.filename().string();
+  const std::string file = (**loaded)->file;
+  if (!liesBesideProject(file)) return;
+  if (apply(terrainEdit(document.committed(), **loaded)))
+    say(MessageKind::Info, "The ground is " + std::filesystem::path(file).filename().string());
+}
+
+bool Workspace::liesBesideProject(const std::string& file) {
   std::error_code ignored;
-  if (!std::filesystem::exists(document.path().parent_path() / file, ignored)) {
-    say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+  if (std::filesystem::exists(document.path().parent_path() / file, ignored)) return true;
+  const std::string name = std::filesystem::path(file).filename().string();
+  say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+  return false;
+}
+
+bool Workspace::loadAsset(AssetTarget target, const std::filesystem::path& file) {
+  if (document.path().empty()) {
+    say(MessageKind::Warning, "Save the project first: its plants, objects and maps lie beside it");
+    return false;
+  }
+  assetLoad.start(target, file, document.path());
+  return true;
+}
+
+void Workspace::takeAsset() {
+  // Not into a drag: its end would come upon another project.
+  if (tools.dragging()) return;
+  const auto loaded = assetLoad.poll();
+  if (!loaded) return;
+  if (!*loaded) {
+    if (flow.onFailure) flow.onFailure(loaded->error());
     return;
   }
-  if (apply(terrainEdit(document.committed(), **loaded))) say(MessageKind::Info, "The ground is " + name);
+  const std::string file = fileOf(**loaded);
+  if (!liesBesideProject(file)) return;
+  if (apply(assetEdit(document.committed(), **loaded)))
+    say(MessageKind::Info, std::filesystem::path(file).filename().string() + " is in the meadow");
 }
 
 void Workspace::followGround() {

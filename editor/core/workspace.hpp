@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "editor/core/actions.hpp"
+#include "editor/core/asset_load.hpp"
 #include "editor/core/camera_control.hpp"
 #include "editor/core/document.hpp"
 #include "editor/core/document_flow.hpp"
@@ -43,6 +44,7 @@ class Workspace {
   Preferences preferences;
   Ground ground;  ///< follows the document's terrain and the height of its grass
   TerrainLoad terrainLoad;
+  AssetLoad assetLoad;
   glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
 
   /// The system's clipboard; the app sets both. Without them copy and paste stay inside the editor.
@@ -70,6 +72,9 @@ class Workspace {
   /// as it was. False where the project has to be saved first, which is told.
   bool loadTerrain(const std::filesystem::path& file);
   bool mayLoadTerrain();
+  /// Begins to read a plant, an object or a map; it takes its place as one step, or an error is told and all stays as it
+  /// was. False where the project has to be saved first, which is told.
+  bool loadAsset(AssetTarget target, const std::filesystem::path& file);
   void undo();
   void redo();
   void jumpTo(std::size_t historyEntry);
@@ -97,6 +102,9 @@ class Workspace {
 
  private:
   void takeTerrain();
+  void takeAsset();
+  /// False, and told, where a file brought in lies beside another project than the one that is open now.
+  bool liesBesideProject(const std::string& file);
   void followGround();
   void keepEyeAboveGround();
   void takeToolMessage();
