@@ -208,9 +208,9 @@ constexpr float kPoppyRadius = 0.085f;
 const glm::vec3 kPoppyFace{0.34f, 1.0f, -0.22f};
 constexpr glm::vec3 kBlotch{0.012f, 0.008f, 0.012f};
 
-/// One of four petals: a curved sheet of 3 x 2 quads with a ruffled edge.
+/// One of four petals: a curved sheet of 4 x 3 quads with a ruffled edge.
 void addCupPetal(Builder& b, const Plant& plant, const Head& head, int index) {
-  constexpr int kColumns = 3, kRows = 2;
+  constexpr int kColumns = 4, kRows = 3;
   const float middle = 0.25f * static_cast<float>(index) + 0.03f;
   const bool outer = index % 2 == 0;
   std::uint32_t grid[kRows + 1][kColumns + 1];
@@ -219,12 +219,15 @@ void addCupPetal(Builder& b, const Plant& plant, const Head& head, int index) {
     for (int column = 0; column <= kColumns; ++column) {
       const float c = 2.0f * static_cast<float>(column) / kColumns - 1.0f;
       const float turn = middle + c * (0.06f + 0.115f * t);
-      const float ruffle = row == kRows ? 0.10f * std::sin(9.0f * (turn + 0.3f * static_cast<float>(index))) : 0.0f;
-      const float radius =
-          kPoppyRadius * (0.10f + (outer ? 0.92f : 0.80f) * std::pow(t, 0.8f)) * (1.0f - 0.09f * c * c);
-      const float rise = kPoppyRadius * ((outer ? 0.62f : 0.78f) * t * t + ruffle);
-      const glm::vec3 normal = head.face * (1.15f - 0.75f * t) - head.out(turn) * (0.15f + 0.65f * t);
-      const glm::vec3 colour = row == 0 ? kBlotch : plant.petal * (row == 1 ? 0.78f : 1.05f + 0.1f * c);
+      const float own = static_cast<float>(index);
+      const float ruffle = t * t * t * (0.09f * std::sin(31.0f * turn + 2.0f * own) + 0.05f * std::sin(67.0f * turn));
+      const float wide = kPoppyRadius * (0.10f + (outer ? 0.90f : 0.78f) * std::pow(t, 0.75f));
+      const float radius = wide * (1.0f - (0.02f + 0.12f * t) * c * c);
+      const float rise = kPoppyRadius * ((outer ? 0.66f : 0.82f) * t * t + ruffle);
+      const glm::vec3 normal = head.face * (1.1f - 0.8f * t) - head.out(turn + 0.3f * ruffle) * (0.2f + 0.7f * t);
+      // A dark blotch inside, deeper red low, silky light at the rim and along the folds.
+      const float fold = 1.0f + 0.12f * std::sin(43.0f * turn + own) * t;
+      const glm::vec3 colour = row == 0 ? kBlotch : plant.petal * (0.25f + 0.85f * std::pow(t, 0.8f)) * fold;
       grid[row][column] = b.vertex(head.at(turn, radius, rise), normal, {colour, row == 0 ? 0.2f : 1.0f, t});
     }
   }
@@ -275,36 +278,34 @@ float spikeRadius(float t) {
 void addFloret(Builder& b, const Plant& plant, float y, float t, float turn) {
   const float r = spikeRadius(t);
   const glm::vec3 root = Plant::spine(y), out = around(turn), side = around(turn + 0.25f);
-  const glm::vec3 normal = out + glm::vec3(0, 0.55f, 0);
-  const glm::vec3 deep = plant.petal * glm::mix(0.55f, 0.85f, t),
-                  light = glm::mix(plant.petal, glm::vec3(0.9f), 0.12f * (1 - t));
-  const std::uint32_t a = b.vertex(root + out * (0.15f * r) + glm::vec3(0, 0.012f, 0), normal, {deep, 1, 0.1f});
-  const std::uint32_t l = b.vertex(root + out * (0.75f * r) - side * (0.52f * r) + glm::vec3(0, 0.008f, 0),
-                                   normal - 0.5f * side, {plant.petal, 1, 0.5f});
-  const std::uint32_t d =
-      b.vertex(root + out * (1.15f * r) - glm::vec3(0, 0.35f * r, 0), out - glm::vec3(0, 0.1f, 0), {light, 1, 0.8f});
-  const std::uint32_t e = b.vertex(root + out * (0.75f * r) + side * (0.52f * r) + glm::vec3(0, 0.008f, 0),
-                                   normal + 0.5f * side, {plant.petal, 1, 0.5f});
+  const glm::vec3 up(0, 1, 0);
+  const glm::vec3 normal = out + 0.55f * up;
+  const glm::vec3 deep = plant.petal * glm::mix(0.4f, 0.8f, t);
+  const glm::vec3 light = glm::mix(plant.petal * 1.15f, glm::vec3(0.9f), 0.08f * (1 - t));
+  const std::uint32_t a = b.vertex(root + out * (0.12f * r) + up * (0.30f * r), normal, {deep, 1, 0.1f});
+  const std::uint32_t l = b.vertex(root + out * (0.72f * r) - side * (0.42f * r) + up * (0.22f * r),
+                                   normal - 0.6f * side, {plant.petal, 1, 0.5f});
+  const std::uint32_t d = b.vertex(root + out * (1.12f * r) - up * (0.30f * r), out - 0.1f * up, {light, 1, 0.8f});
+  const std::uint32_t e = b.vertex(root + out * (0.72f * r) + side * (0.42f * r) + up * (0.22f * r),
+                                   normal + 0.6f * side, {plant.petal, 1, 0.5f});
   b.quad(a, l, d, e);
 }
 
 FlowerMesh makeSpike(const Plant& plant) {
-  constexpr float kFoot = 0.50f;
-  constexpr int kWhorls = 12, kFlorets = 5;
+  constexpr float kFoot = 0.48f;
+  constexpr int kFlorets = 66;
   FlowerMesh made;
   Builder near;
-  addStem(near, plant, 0.99f, 4);
-  for (int i = 0; i < 8; ++i) {
+  addStem(near, plant, 0.99f, 3);
+  for (int i = 0; i < 7; ++i) {
     const auto n = static_cast<float>(i);
     addLeaf(near, plant, 0.03f + 0.055f * n, kGoldenTurn * n + 0.2f, 0.22f - 0.014f * n, 0.016f, 1.0f);
   }
-  for (int whorl = 0; whorl < kWhorls; ++whorl) {
-    const float t = static_cast<float>(whorl) / kWhorls;
-    const int florets = t > 0.7f ? 3 : kFlorets;
-    for (int i = 0; i < florets; ++i) {
-      const float turn = (static_cast<float>(i) + 0.37f * static_cast<float>(whorl)) / static_cast<float>(florets);
-      addFloret(near, plant, glm::mix(kFoot, 0.985f, t) + 0.012f * std::sin(9.0f * turn), t, turn);
-    }
+  for (int i = 0; i < kFlorets; ++i) {
+    // Closer together towards the tip, where they are buds.
+    const float t = std::pow(static_cast<float>(i) / kFlorets, 0.85f);
+    const float turn = kGoldenTurn * static_cast<float>(i);
+    addFloret(near, plant, glm::mix(kFoot, 0.99f, t), t, turn + 0.03f * std::sin(3.0f * static_cast<float>(i)));
   }
   made.near = near.finish();
 
@@ -313,8 +314,8 @@ FlowerMesh makeSpike(const Plant& plant) {
   for (const float turn : {0.0f, 0.25f}) {
     const glm::vec3 side = around(turn), out = around(turn + 0.25f) + glm::vec3(0, 0.4f, 0);
     const glm::vec3 low = Plant::spine(kFoot - 0.02f), mid = Plant::spine(kFoot + 0.1f), top = Plant::spine(1.0f);
-    const Skin deep{plant.petal * 0.7f, 1, 0.2f}, light{plant.petal, 1, 0.4f};
-    const float r = spikeRadius(0.15f);
+    const Skin deep{plant.petal * 0.75f, 1, 0.2f}, light{glm::mix(plant.petal, glm::vec3(0.9f), 0.07f), 1, 0.4f};
+    const float r = 0.85f * spikeRadius(0.15f);
     const std::uint32_t a = far.vertex(low, out, deep), l = far.vertex(mid - side * r, out, light),
                         e = far.vertex(mid + side * r, out, light), d = far.vertex(top, out, deep);
     far.quad(a, e, d, l);

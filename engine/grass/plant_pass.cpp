@@ -36,6 +36,15 @@ PlantMeshSummary summaryOf(const PlantMesh& mesh) {
   return {mesh.low, mesh.high, mesh.indices.size() / 3, mesh.textureSize.x > 0, mesh.alphaCutoff};
 }
 
+/// A card's upper edge must not meet the lower one of a picture that isn't repeated.
+gpu::Wrap wrapOf(const PlantMesh& mesh) {
+  constexpr float kSlack = 0.01f;
+  const bool within = std::ranges::all_of(mesh.vertices, [](const PlantVertex& v) {
+    return std::min(v.uv.x, v.uv.y) >= -kSlack && std::max(v.uv.x, v.uv.y) <= 1.0f + kSlack;
+  });
+  return within ? gpu::Wrap::Clamp : gpu::Wrap::Repeat;
+}
+
 }  // namespace
 
 Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
@@ -89,7 +98,7 @@ Status PlantPass::makeTexture(Kind& kind, const PlantMesh& mesh) {
   const std::vector<MipLevel> levels = mipLevels(mesh);
   if (levels.empty()) return Done{};
   const gpu::TextureOptions options{
-      .levels = 0, .filter = gpu::Filter::Trilinear, .wrap = gpu::Wrap::Repeat, .anisotropy = 4.0f};
+      .levels = 0, .filter = gpu::Filter::Trilinear, .wrap = wrapOf(mesh), .anisotropy = 4.0f};
   Result<gpu::Texture> texture = gpu::Texture::create2D("plant", mesh.textureSize, GL_SRGB8_ALPHA8, options);
   if (!texture) return texture.error();
   for (std::size_t level = 0; level < levels.size(); ++level)

@@ -100,9 +100,9 @@ void fillColliders(Project& project, Loader& loader) {
 void fillMaps(Project& project, Loader& loader) {
   GrassSettings grass = *project.grass;
   for (const auto& map : {grass.densityPixels, grass.heightPixels, grass.colourPixels}) loader.know(map);
-  bool changed = loader.fill(grass.densityPixels, grass.densityMap, "/grass/densityMap");
-  changed |= loader.fill(grass.heightPixels, grass.heightMap, "/grass/heightMap");
-  changed |= loader.fill(grass.colourPixels, grass.colourMap, "/grass/colourMap");
+  bool changed = loader.fill(grass.densityPixels, grass.densityMap, "/grass/maps/density");
+  changed |= loader.fill(grass.heightPixels, grass.heightMap, "/grass/maps/height");
+  changed |= loader.fill(grass.colourPixels, grass.colourMap, "/grass/maps/colour");
   if (changed) project.grass = std::make_shared<GrassSettings>(std::move(grass));
 }
 
