@@ -12,10 +12,10 @@
 namespace windloom {
 namespace {
 
-constexpr float kSameM = 1e-5f;       // offsets closer than this are one
-constexpr float kTurnPart = 0.35f;    // of the way to the next key: what a paused thing takes to turn into its motion
-constexpr int kRollSteps = 16;        // of a way between two keys; 24 keys round a circle: 0.02 mm off a metre
-constexpr float kLeastUpright = 0.5f; // of the ground's normal: steeper ground lifts a sphere no further
+constexpr float kSameM = 1e-5f;        // offsets closer than this are one
+constexpr float kTurnPart = 0.35f;     // of the way to the next key: what a paused thing takes to turn into its motion
+constexpr int kRollSteps = 16;         // of a way between two keys; 24 keys round a circle: 0.02 mm off a metre
+constexpr float kLeastUpright = 0.5f;  // of the ground's normal: steeper ground lifts a sphere no further
 
 /// A place on the way: between key `first` and the next.
 struct Moment {
@@ -225,7 +225,8 @@ glm::vec3 colliderVelocity(const Collider& collider, double seconds) {
 float colliderHeading(const Collider& collider, double seconds) {
   if (collider.keys.size() < 2) return glm::radians(collider.rotation);
   const std::optional<Moment> moment = momentAt(collider, seconds);
-  if (!moment) return restHeading(collider, seconds <= double(collider.keys.front().time) ? 0 : collider.keys.size() - 1);
+  if (!moment)
+    return restHeading(collider, seconds <= double(collider.keys.front().time) ? 0 : collider.keys.size() - 1);
   const bool pausing = pauses(collider, moment->first);
   if (pausing) return restHeading(collider, moment->first);
   const float course = courseAt(collider, *moment);
@@ -238,9 +239,8 @@ float colliderHeading(const Collider& collider, double seconds) {
 ColliderPose colliderPose(const Collider& collider, const HeightField* ground, double seconds) {
   const glm::vec3 offset = colliderOffset(collider, seconds);
   const glm::vec2 place = collider.position + across(offset);
-  const float heading = collider.shape == ColliderShape::Sphere && collider.roll
-                            ? glm::radians(collider.rotation)
-                            : colliderHeading(collider, seconds);
+  const float heading = collider.shape == ColliderShape::Sphere && collider.roll ? glm::radians(collider.rotation)
+                                                                                 : colliderHeading(collider, seconds);
   ColliderPose pose;
   pose.centre = {place.x, standing(collider, ground, place, heading) + collider.lift + offset.y, place.y};
   pose.world = glm::translate(glm::mat4(1.0f), pose.centre);
@@ -249,7 +249,9 @@ ColliderPose colliderPose(const Collider& collider, const HeightField* ground, d
       if (collider.roll) pose.world *= glm::mat4_cast(rolled(collider, ground, seconds));
       pose.world *= turnedBy(heading);
       break;
-    case ColliderShape::Capsule: pose.world *= turnedBy(heading); break;
+    case ColliderShape::Capsule:
+      pose.world *= turnedBy(heading);
+      break;
     case ColliderShape::Mesh:
       pose.world *= turnedBy(heading - glm::radians(90.0f));
       pose.world = glm::scale(pose.world, glm::vec3(collider.scale));

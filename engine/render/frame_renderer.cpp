@@ -7,6 +7,7 @@
 #include "engine/gpu/timer.hpp"
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/render/backdrop.hpp"
+#include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
@@ -27,6 +28,7 @@ struct Parts {
   Backdrop backdrop;
   GroundPass ground;
   SolidPass solids;
+  ColliderPass colliders;
   OverlayPass overlays;
   gpu::Texture noise;
   gpu::Buffer frame;
@@ -41,14 +43,16 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!ground) return ground.error();
   Result<SolidPass> solids = SolidPass::create(shaders);
   if (!solids) return solids.error();
+  Result<ColliderPass> colliders = ColliderPass::create(shaders);
+  if (!colliders) return colliders.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),    std::move(*backdrop), std::move(*ground), std::move(*solids),
-               std::move(*overlays), std::move(*noise),    std::move(*frame)};
+  return Parts{std::move(*grass),     std::move(*backdrop), std::move(*ground), std::move(*solids),
+               std::move(*colliders), std::move(*overlays), std::move(*noise),  std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -110,10 +114,12 @@ class FrameRendererImpl final : public FrameRenderer {
     if (ground || project.field != m_field || project.obstacles != m_obstacles) {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
+    if (project.colliders != m_colliders && !accept(m_parts.colliders.configure(*project.colliders))) return false;
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
     m_obstacles = project.obstacles;
+    m_colliders = project.colliders;
     return true;
   }
 
@@ -148,6 +154,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.ground.bind();
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
+    m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection);
     m_parts.backdrop.bakeSky();
     // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -163,6 +170,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
+    m_parts.colliders.draw(state, *input.project, input.time);
     m_timer.stage("grass");
     m_parts.grass.draw(state);
     m_timer.stage("ground");
@@ -195,6 +203,7 @@ class FrameRendererImpl final : public FrameRenderer {
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
   Shared<std::vector<Obstacle>> m_obstacles;
+  Shared<std::vector<Collider>> m_colliders;
   std::string m_lastError;
 };
 

@@ -5,6 +5,7 @@
 // Uniform buffers.
 #define RENDER_UBO_FRAME 0
 #define RENDER_UBO_GRASS 1
+#define RENDER_UBO_COLLIDERS 2
 
 // Textures.
 #define RENDER_TEXTURE_WIND 0
@@ -14,6 +15,7 @@
 #define RENDER_TEXTURE_MAP 8
 #define RENDER_TEXTURE_GROUND 4
 #define RENDER_TEXTURE_GROUND_LIGHT 5
+#define RENDER_TEXTURE_COLLIDER 10
 
 // Storage buffers.
 #define RENDER_SSBO_CHUNKS 0
