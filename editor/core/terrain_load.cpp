@@ -4,7 +4,7 @@
 #include <mutex>
 #include <new>
 
-#include "engine/io/terrain_copy.hpp"
+#include "engine/io/asset_copy.hpp"
 #include "engine/io/terrain_file.hpp"
 
 namespace windloom::editor {
@@ -31,7 +31,7 @@ Loaded load(const fs::path& file, const fs::path& projectFile, const LoadWatch& 
   // Copied only when it is known to be good.
   if (!watch("Bringing it into the project's folder")) return makeError(ErrorKind::Usage, "stopped");
   std::error_code ignored;
-  Result<std::string> name = bringTerrainFile(file, fs::absolute(projectFile, ignored).parent_path());
+  Result<std::string> name = bringAsset(file, fs::absolute(projectFile, ignored).parent_path());
   if (!name) return name.error();
   const std::shared_ptr<HeightSource> made = *source;
   WL_REQUIRE(made != nullptr, "a file that was read has a source");

@@ -27,7 +27,7 @@ class TerrainLoad {
   [[nodiscard]] std::string doing() const;
   /// Nothing comes of it any more, and nothing is copied.
   void cancel();
-  /// The source with its file's name, once, when it is there. Fails as readTerrainFile and bringTerrainFile.
+  /// The source with its file's name, once, when it is there. Fails as readTerrainFile and bringAsset.
   std::optional<Result<std::shared_ptr<const HeightSource>>> poll();
 
  private:
