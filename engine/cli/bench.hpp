@@ -2,7 +2,8 @@
 // The benchmark: scenes that measure one part each and give rows of numbers. A scene is one file and one line in the
 // list of bench_scenes.cpp.
 
-#include <functional>
+#include <glm/glm.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -24,6 +25,8 @@ struct BenchSetup {
   bool cpu = true;                  ///< measure the CPU backend
   gpu::Context* context = nullptr;  ///< null: measure nothing on the GPU
   gpu::ShaderLibrary* shaders = nullptr;
+  std::optional<glm::ivec2> picture;  ///< pixels of the scenes that draw; none: their own choice
+  std::string pictures;               ///< folder that scene `picture` puts its pictures into; empty: nowhere
   std::vector<int> cells;  ///< sides of the fields of scene `solver`; empty: its own choice
   double capSeconds = 20;  ///< about how long one row may take; rows that would take longer have fewer runs
 };
@@ -42,6 +45,7 @@ std::span<const BenchScene> benchScenes();
 // The scenes.
 Result<std::vector<BenchRow>> benchSolver(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchGrass(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchPicture(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchLoad(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchStartup(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchRuntime(const BenchSetup& setup);

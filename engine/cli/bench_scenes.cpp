@@ -11,6 +11,7 @@ constexpr BenchScene kScenes[] = {
     {"floor", "what the machine can do at best: memory bandwidth, the cost of an empty dispatch", benchFloor},
     {"solver", "one wind step at 256 to 4096 squared, beside the plain scheme", benchSolver},
     {"grass", "a picture with 1 and 7 million blades, 1920 x 1080 (needs OpenGL)", benchGrass},
+    {"picture", "how near the thinned meadow comes to one with every blade drawn (needs OpenGL)", benchPicture},
     {"load", "reading a project of 10,000 arrows", benchLoad},
     {"startup", "from nothing to the first picture", benchStartup},
     {"runtime", "one sample of a baked pack in a game", benchRuntime},

@@ -1,5 +1,6 @@
 #include "engine/cli/common.hpp"
 
+#include <cmath>
 #include <cstdio>
 
 #include "engine/core/log.hpp"
@@ -60,6 +61,22 @@ Json problemsJson(const std::vector<Problem>& problems) {
 
 Json jsonNumber(float value) {
   return *parseNumber(shortest(value));
+}
+
+std::optional<glm::ivec2> parsePair(const std::string& text, int most) {
+  const auto cross = text.find_first_of("xX");
+  if (cross == std::string::npos) return std::nullopt;
+  const auto width = parseNumber(text.substr(0, cross)), height = parseNumber(text.substr(cross + 1));
+  const auto sensible = [most](const std::optional<double>& side) {
+    return side && *side >= 8 && *side <= most && *side == std::floor(*side);
+  };
+  if (!sensible(width) || !sensible(height)) return std::nullopt;
+  return glm::ivec2(*width, *height);
+}
+
+Error pairExpected(const std::string& option, const std::string& found, int most, const std::string& of) {
+  return makeError(ErrorKind::Usage,
+                   option + ": found '" + found + "', expected WxH of 8 to " + std::to_string(most) + " " + of);
 }
 
 void printJson(const Json& object) {

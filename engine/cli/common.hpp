@@ -5,7 +5,9 @@
 // exactly one JSON object; it has "ok", and where that is false "errors": [{file, pointer, message}].
 
 #include <CLI/CLI.hpp>
+#include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,6 +46,11 @@ Json problemsJson(const std::vector<Problem>& problems);
 
 /// A float as its shortest decimal, not as the digits of the double it converts to.
 Json jsonNumber(float value);
+
+/// WxH, whole numbers from 8 to `most`.
+std::optional<glm::ivec2> parsePair(const std::string& text, int most);
+/// What to say where that found none; `of` as "pixels".
+Error pairExpected(const std::string& option, const std::string& found, int most, const std::string& of);
 
 /// One object on standard output; text that isn't UTF-8 (paths) is written with replacement characters.
 void printJson(const Json& object);

@@ -11,9 +11,11 @@
 namespace windloom::cli {
 namespace {
 
+constexpr int kMaxPictureSide = 8192;  // scene picture draws twice that
+
 struct Options : CommonOptions {
   std::vector<std::string> scenes;
-  std::string jsonFile;
+  std::string jsonFile, size, pictures;
   std::vector<int> cells;
   bool quick = false;
 };
@@ -92,11 +94,16 @@ int runBench(const Options& options) {
   common.json = options.jsonFile == "-";
   const Result<std::vector<const BenchScene*>> scenes = scenesOf(options);
   if (!scenes) return reportError(scenes.error(), common);
+  BenchSetup setup;
+  if (!options.size.empty()) {
+    setup.picture = parsePair(options.size, kMaxPictureSide);
+    if (!setup.picture) return reportError(pairExpected("--size", options.size, kMaxPictureSide, "pixels"), common);
+  }
   const Result<OpenGl> gl = openGlFor(options.backend);
   if (!gl) return reportError(gl.error(), common);
-  BenchSetup setup;
   setup.size = options.quick ? BenchSize::Quick : BenchSize::Full;
   setup.cells = options.cells;
+  setup.pictures = options.pictures;
   setup.cpu = options.backend != Backend::Gpu;
   setup.context = gl->context.get();
   setup.shaders = gl->shaders.get();
@@ -141,6 +148,10 @@ VerbAction makeBenchVerb(CLI::App& app) {
       ->type_name("N[,N...]")
       ->delimiter(',')
       ->check(CLI::Range(16, 8192));
+  app.add_option("--size", options->size, "Pixels of the scenes that draw (default 1920x1080)")->type_name("WxH");
+  app.add_option("--pictures", options->pictures,
+                 "Scene picture: also write what it compares, and the differences, there")
+      ->type_name("FOLDER");
   app.add_flag("--quick", options->quick, "Tiny sizes, to see that it runs");
   addBackendOption(app, *options);
   std::string footer = "Times are medians. Scenes:\n";

@@ -31,18 +31,8 @@ struct Options : CommonOptions {
   double time = 0, fps = 30, detail = 1;
   std::optional<double> density;
   int frames = 1;
+  bool fullQuality = false, everyBlade = false;
 };
-
-std::optional<glm::ivec2> parsePair(const std::string& text, int most) {
-  const auto cross = text.find_first_of("xX");
-  if (cross == std::string::npos) return std::nullopt;
-  const auto width = parseNumber(text.substr(0, cross)), height = parseNumber(text.substr(cross + 1));
-  const auto sensible = [most](const std::optional<double>& side) {
-    return side && *side >= 8 && *side <= most && *side == std::floor(*side);
-  };
-  if (!sensible(width) || !sensible(height)) return std::nullopt;
-  return glm::ivec2(*width, *height);
-}
 
 Error usage(const std::string& message) {
   return makeError(ErrorKind::Usage, message);
@@ -68,7 +58,7 @@ Result<Project> projectOf(const Options& options) {
   if (const Status used = useSolver(*project, options.solver); !used) return used.error();
   if (!options.resolution.empty()) {
     const auto cells = parsePair(options.resolution, kMaxCells);
-    if (!cells) return usage("--resolution: found '" + options.resolution + "', expected WxH of 8 to 4096 cells");
+    if (!cells) return pairExpected("--resolution", options.resolution, kMaxCells, "cells");
     FieldSettings field = *project->field;
     field.resolution = *cells;
     project->field = std::make_shared<FieldSettings>(field);
@@ -163,8 +153,7 @@ int render(const Options& options) {
     return reportError(usage("--grass: found '" + options.grass + "', expected instanced or none"), options);
   }
   const auto size = parsePair(options.size, kMaxSide);
-  if (!size)
-    return reportError(usage("--size: found '" + options.size + "', expected WxH of 8 to 16384 pixels"), options);
+  if (!size) return reportError(pairExpected("--size", options.size, kMaxSide, "pixels"), options);
   const Result<Overlays> overlays = overlaysByName(options.overlays);
   if (!overlays) return reportError(overlays.error(), options);
   const Result<Project> project = projectOf(options);
@@ -181,7 +170,9 @@ int render(const Options& options) {
   view.size = *size;
   view.framebuffer = studio->target.name();
   view.overlays = *overlays;
-  view.quality.detail = static_cast<float>(options.detail);
+  view.quality.detail = options.fullQuality || options.everyBlade ? 1.0f : static_cast<float>(options.detail);
+  view.quality.still = options.fullQuality || options.everyBlade;
+  view.quality.thinning = !options.everyBlade;
   std::vector<std::string> images;
   const double end = options.time + (options.frames - 1) / options.fps;
   for (int frame = 0; frame < options.frames; ++frame) {
@@ -227,6 +218,9 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")
       ->type_name("D")
       ->check(CLI::Range(0.02, 1.0));
+  app.add_flag("--full-quality", options->fullQuality, "Everything as fine as it gets, however long it takes");
+  app.add_flag("--every-blade", options->everyBlade,
+               "Full quality, and every blade in sight drawn, however small: needs much memory");
   addCommonOptions(app, *options);
   app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
   return [options] { return render(*options); };
