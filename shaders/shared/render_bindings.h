@@ -5,7 +5,7 @@
 // Uniform buffers.
 #define RENDER_UBO_FRAME 0
 #define RENDER_UBO_GRASS 1
-#define RENDER_UBO_COLLIDERS 2
+#define RENDER_UBO_COLLIDERS 3
 
 // Textures.
 #define RENDER_TEXTURE_WIND 0
