@@ -6,8 +6,8 @@ WL_SHARED_BEGIN
 #ifdef __cplusplus
 using glm::dot;
 using glm::length;
-using glm::max;
-using glm::min;
+using std::max;
+using std::min;
 #endif
 
 /// All within the radius of the straight line from a to b; a sphere where both are equal.

@@ -5,6 +5,7 @@
 // Uniform buffers.
 #define RENDER_UBO_FRAME 0
 #define RENDER_UBO_GRASS 1
+#define RENDER_UBO_CHAIN 2
 #define RENDER_UBO_COLLIDERS 3
 
 // Textures.
@@ -17,6 +18,7 @@
 #define RENDER_TEXTURE_GROUND_LIGHT 5
 #define RENDER_TEXTURE_OCCLUDERS 6
 #define RENDER_TEXTURE_COLLIDER 10
+#define RENDER_TEXTURE_VIRTUAL_WIND 14
 
 // Storage buffers.
 #define RENDER_SSBO_CHUNKS 0
@@ -33,5 +35,14 @@
 #define RENDER_SSBO_CORNERS 5
 #define RENDER_SSBO_TILE_WORK 6
 #define RENDER_SSBO_GROUP_WORK 7
+#define RENDER_SSBO_VIRTUAL_BLADES 4
+// The stepping pass of the patches; table and state are read by the placing pass, too.
+#define RENDER_SSBO_PATCHES 4
+#define RENDER_SSBO_PRIMITIVES 5
+#define RENDER_SSBO_PATCH_TABLE 6
+#define RENDER_SSBO_PATCH_STATE 7
+
+// Images.
+#define RENDER_IMAGE_VIRTUAL_WIND 0
 
 #endif
