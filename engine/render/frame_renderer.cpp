@@ -9,6 +9,7 @@
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
+#include "engine/render/grass_dynamics.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
 #include "engine/render/overlay_pass.hpp"
@@ -25,6 +26,7 @@ constexpr float kSoftwareFullDetail = 0.6f;
 
 struct Parts {
   InstancedGrass grass;
+  GrassDynamics dynamics;
   Backdrop backdrop;
   GroundPass ground;
   SolidPass solids;
@@ -37,6 +39,8 @@ struct Parts {
 Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   Result<InstancedGrass> grass = InstancedGrass::create(shaders);
   if (!grass) return grass.error();
+  Result<GrassDynamics> dynamics = GrassDynamics::create(shaders);
+  if (!dynamics) return dynamics.error();
   Result<Backdrop> backdrop = Backdrop::create(shaders);
   if (!backdrop) return backdrop.error();
   Result<GroundPass> ground = GroundPass::create(shaders);
@@ -51,8 +55,9 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),     std::move(*backdrop), std::move(*ground), std::move(*solids),
-               std::move(*colliders), std::move(*overlays), std::move(*noise),  std::move(*frame)};
+  return Parts{std::move(*grass),  std::move(*dynamics),  std::move(*backdrop), std::move(*ground),
+               std::move(*solids), std::move(*colliders), std::move(*overlays), std::move(*noise),
+               std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -88,6 +93,8 @@ class FrameRendererImpl final : public FrameRenderer {
     if (!adoptProject(*input.project) || !fitTargets(input)) return stats();
     m_timer.beginFrame();
     bindFrame(input);
+    m_timer.stage("grass dynamics");
+    moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
     drawScene(input);
@@ -102,6 +109,14 @@ class FrameRendererImpl final : public FrameRenderer {
     return stats();
   }
 
+  void advance(const FrameInput& input) override {
+    WL_REQUIRE(input.project != nullptr, "a frame shows a project");
+    if (!adoptProject(*input.project)) return;
+    bindFrame(input);
+    moveGrass(input);
+    WindSampler::unbind();
+  }
+
  private:
   /// Passes take over the parts that changed. A part the machine refuses is logged once and the frame skipped.
   bool adoptProject(const Project& project) {
@@ -110,6 +125,7 @@ class FrameRendererImpl final : public FrameRenderer {
     if (ground && !accept(m_parts.ground.configure(heights, defaultLight().sunDirection))) return false;
     if (ground || project.field != m_field || project.grass != m_grass) {
       if (!accept(m_parts.grass.configure(*project.field, *project.grass, heights.get()))) return false;
+      if (!accept(m_parts.dynamics.configure(project, m_parts.grass.layout()))) return false;
     }
     if (ground || project.field != m_field || project.obstacles != m_obstacles) {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
@@ -161,6 +177,14 @@ class FrameRendererImpl final : public FrameRenderer {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     glBindTextureUnit(RENDER_TEXTURE_WIND, input.wind.name != 0 ? input.wind.name : m_parts.noise.name());
     m_windSampler.bind();
+  }
+
+  void moveGrass(const FrameInput& input) {
+    const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
+    if (accept(m_parts.dynamics.fitWind(*input.project->grass, input.wind.grid.resolution, most))) {
+      m_parts.dynamics.advance(*input.project, input.time);
+    }
+    m_parts.dynamics.bind();
   }
 
   void drawScene(const FrameInput& input) {
