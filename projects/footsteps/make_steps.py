@@ -27,19 +27,17 @@ def keys(aside, phase):
     """`phase`: part of a stride that the foot has behind it at the start, less than STANCE."""
     made = []
     for stride in range(STRIDES):
-        landed = stride - phase
-        here, lifts = place(stride, aside), landed + STANCE
+        landed = stride - phase  # in strides, of time and of way
+        here, lifts = place(landed, aside), landed + STANCE
         if landed > 0:
             made.append((landed, *here, 0.0))
         made.append((lifts, *here, 0.0))
         for time, way, height in SWING:
-            made.append((lifts + time * (1 - STANCE), *place(stride + way, aside), height))
-    made.append((STRIDES - phase, *place(STRIDES, aside), 0.0))
-    if phase > 0:  # the round begins and ends within a stance
-        made.insert(0, (0.0, *place(0, aside), 0.0))
-        made.append((float(STRIDES), *place(0, aside), 0.0))
-    else:
-        made.insert(0, (0.0, *place(0, aside), 0.0))
+            made.append((lifts + time * (1 - STANCE), *place(landed + way, aside), height))
+    made.insert(0, (0.0, *place(-phase, aside), 0.0))
+    made.append((STRIDES - phase, *place(-phase, aside), 0.0))
+    if phase > 0:  # the round ends within a stance
+        made.append((float(STRIDES), *place(-phase, aside), 0.0))
     return [(time * STRIDE_S, x, height, z) for time, x, z, height in made]
 
 
