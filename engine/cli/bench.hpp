@@ -44,7 +44,9 @@ std::span<const BenchScene> benchScenes();
 
 // The scenes.
 Result<std::vector<BenchRow>> benchSolver(const BenchSetup& setup);
-Result<std::vector<BenchRow>> benchGrass(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchMeadowTable(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchGrassland(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchPicture(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchLoad(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchStartup(const BenchSetup& setup);
