@@ -1,13 +1,16 @@
 #pragma once
 // How many blades stand where, and what the grass shaders need to know about it. Pure arithmetic.
 //
-// The meadow is cut into square tiles of about a thousand blades. Blades of a tile are ordered so that any
-// first part of them covers the tile evenly; how many are drawn falls with the width of a blade on screen.
+// The meadow is cut into square tiles of about a thousand blades: cells of the world, so that a blade is where it is
+// whatever is drawn. Blades of a tile are ordered so that any first part of them covers the tile evenly; how many are
+// drawn falls with their size on screen and with how many layers of them stand behind each other.
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "engine/model/project.hpp"
+#include "shaders/shared/frame_block.h"
 #include "shaders/shared/grass_block.h"
 
 namespace windloom {
@@ -16,17 +19,19 @@ using shared::GrassBlock;
 
 /// Tiles over the field and a margin around it in which the meadow thins out.
 struct GrassLayout {
-  glm::ivec2 tiles{0};          ///< along x and z
   float tileSideM = 1.0f;
-  glm::vec2 origin{0.0f};       ///< low corner of tile (0, 0), m
+  glm::ivec2 low{0}, high{-1};  ///< lowest and highest tile along x and z; tile (i, k) begins at (i, k) sides
   float bladesInTile = 0.0f;    ///< mean; a tile holds this rounded down or up
   long long bladesTotal = 0;    ///< that the project asks for: density times the field's area
-  std::uint32_t chunkLimit = 0; ///< most chunks (GRASS_CHUNK blades) there can be
-  glm::uvec3 capacity{0};       ///< most blades drawn in each level of detail
+
+  [[nodiscard]] bool empty() const { return high.x < low.x; }
+  [[nodiscard]] glm::ivec2 tiles() const { return high - low + 1; }
 };
 
 /// Width of the margin around the field, m.
 inline constexpr float kMeadowMarginM = 16.0f;
+/// Most tiles along a side of the meadow.
+inline constexpr int kMaxTilesPerSide = 1024;
 
 /// `density` > 0 makes at least one tile; density 0 gives a layout without tiles.
 GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& grass);
@@ -34,11 +39,24 @@ GrassLayout makeGrassLayout(const FieldSettings& field, const GrassSettings& gra
 /// The lowest and the highest ground in each tile, row by row, m.
 std::vector<glm::vec2> groundInTiles(const GrassLayout& layout, const HeightField& ground);
 
-/// Settings for the shaders. `detail` as FrameQuality::detail, clamped to [0.02, 1].
-GrassBlock makeGrassBlock(const GrassSettings& grass, const GrassLayout& layout, float detail);
+/// How finely the grass of a frame is drawn; see FrameQuality.
+struct GrassQuality {
+  float detail = 1.0f;  ///< clamped to [0.02, 1]
+  bool thinning = true, culling = true;
+};
 
-/// Part of the blades drawn where a metre covers `pixelsPerMetre`, 0..1: the same as keptPart() in
-/// shaders/include/grass_tiles.glsl.
-float keptPart(const GrassBlock& block, float pixelsPerMetre);
+/// Settings for the shaders. `frame` is the camera's.
+GrassBlock makeGrassBlock(const GrassSettings& grass, std::span<const Species> species, const GrassLayout& layout,
+                          const GrassQuality& quality, const shared::FrameBlock& frame);
+
+/// Tiles that the culling pass looks at: those of the rings around the camera that reach all tiles in range.
+std::uint32_t tilesInRings(const GrassBlock& block);
+
+/// Most chunks that these tiles can hold.
+double chunksInRange(const GrassBlock& block);
+
+/// Part of the blades drawn where a metre covers `pixelsPerMetre` and the ground is seen under an angle of cosine
+/// `facing`: the same as keptPart() in shaders/include/grass_tiles.glsl, at most 1.
+float keptPart(const GrassBlock& block, float pixelsPerMetre, float facing = 1.0f);
 
 }  // namespace windloom

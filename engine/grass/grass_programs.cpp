@@ -7,6 +7,8 @@ namespace {
 
 constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/cull tiles", {"grass/cull_tiles.comp"}},
+    {"grass/scan groups", {"grass/scan_groups.comp"}},
+    {"grass/list chunks", {"grass/list_chunks.comp"}},
     {"grass/place blades", {"grass/place_blades.comp"}},
     {"grass/blade near", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=6"},
     {"grass/blade middle", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=3"},
@@ -15,7 +17,9 @@ constexpr gpu::ProgramSpec kPrograms[] = {
 
 }  // namespace
 
-std::span<const gpu::ProgramSpec> grassPrograms() { return kPrograms; }
+std::span<const gpu::ProgramSpec> grassPrograms() {
+  return kPrograms;
+}
 
 const gpu::ProgramSpec& grassProgram(std::string_view name) {
   const auto* found = std::ranges::find(kPrograms, name, &gpu::ProgramSpec::name);

@@ -16,18 +16,37 @@ using shared::GrassBlade;
 using shared::GrassChunk;
 using shared::GrassCommands;
 
-constexpr std::uint32_t kVertices[GRASS_LEVELS] = {13, 7, 3};  // strips of 6, 3 and 1 segments ending in a tip
+constexpr std::array<int, GRASS_LEVELS> kSegments{6, 3, 1};
+// Blades in the lists at most, 96 MB of records: a picture of 1920 x 1080 needs a third of it.
+constexpr double kMostBlades = 3e6;
+// Without thinning: what a buffer may hold.
+constexpr double kMostUnthinned = 6e7;
 
-GrassCommands emptyCommands() {
-  GrassCommands commands{};
-  commands.groupsX = GRASS_GROUPS_X;
-  commands.groupsZ = 1;
-  for (std::size_t level = 0; level < GRASS_LEVELS; ++level) commands.draws[level * 4] = kVertices[level];
-  return commands;
+/// The triangles of a chunk of strips; an index is 16 times the blade plus the vertex.
+std::vector<std::uint16_t> stripIndices(int segments) {
+  std::vector<std::uint16_t> indices;
+  for (unsigned blade = 0; blade < GRASS_CHUNK; ++blade) {
+    const auto add = [&](int a, int b, int c) {
+      for (const int vertex : {a, b, c}) indices.push_back(static_cast<std::uint16_t>(16u * blade + unsigned(vertex)));
+    };
+    for (int row = 0; row < segments; ++row) {
+      add(2 * row, 2 * row + 1, 2 * row + 2);
+      if (row + 1 < segments) add(2 * row + 2, 2 * row + 1, 2 * row + 3);
+    }
+  }
+  return indices;
 }
 
-bool sameLists(const GrassLayout& a, const GrassLayout& b) {
-  return a.chunkLimit == b.chunkLimit && a.capacity == b.capacity;
+std::uint32_t groupsOf(std::uint32_t tiles) {
+  return (tiles + GRASS_CULL_GROUP - 1u) / GRASS_CULL_GROUP;
+}
+
+Status grow(gpu::Buffer& buffer, std::string_view label, std::size_t bytes) {
+  if (buffer.bytes() >= bytes) return Done{};
+  Result<gpu::Buffer> made = gpu::Buffer::create(label, bytes, gpu::BufferUse::Static);
+  if (!made) return made.error();
+  buffer = std::move(*made);
+  return Done{};
 }
 
 }  // namespace
@@ -35,7 +54,8 @@ bool sameLists(const GrassLayout& a, const GrassLayout& b) {
 Result<InstancedGrass> InstancedGrass::create(gpu::ShaderLibrary& shaders) {
   InstancedGrass grass;
   const std::pair<std::string_view, gpu::Program**> programs[] = {
-      {"grass/cull tiles", &grass.m_cull},     {"grass/place blades", &grass.m_place},
+      {"grass/cull tiles", &grass.m_cull},     {"grass/scan groups", &grass.m_scan},
+      {"grass/list chunks", &grass.m_list},    {"grass/place blades", &grass.m_place},
       {"grass/blade near", &grass.m_blade[0]}, {"grass/blade middle", &grass.m_blade[1]},
       {"grass/blade far", &grass.m_blade[2]},
   };
@@ -46,14 +66,21 @@ Result<InstancedGrass> InstancedGrass::create(gpu::ShaderLibrary& shaders) {
   }
   Result<gpu::Buffer> settings = gpu::Buffer::create("grass settings", sizeof(GrassBlock), gpu::BufferUse::Dynamic);
   if (!settings) return settings.error();
-  Result<gpu::Buffer> commands = gpu::Buffer::create("grass commands", sizeof(GrassCommands), gpu::BufferUse::Dynamic);
+  Result<gpu::Buffer> commands = gpu::Buffer::create("grass commands", sizeof(GrassCommands), gpu::BufferUse::Static);
   if (!commands) return commands.error();
   Result<gpu::ReadbackRing> counts = gpu::ReadbackRing::create("grass counts", sizeof(GrassCommands));
   if (!counts) return counts.error();
+  for (std::size_t level = 0; level < GRASS_LEVELS; ++level) {
+    const std::vector<std::uint16_t> indices = stripIndices(kSegments[level]);
+    Result<gpu::Buffer> buffer = gpu::Buffer::create("grass strips", std::span<const std::uint16_t>(indices));
+    if (!buffer) return buffer.error();
+    grass.m_indices[level] = std::move(*buffer);
+    grass.m_strips[level] = gpu::VertexArray::create("grass");
+    grass.m_strips[level].indexBuffer(grass.m_indices[level]);
+  }
   grass.m_settings = std::move(*settings);
   grass.m_commands = std::move(*commands);
   grass.m_counts = std::move(*counts);
-  grass.m_noVertices = gpu::VertexArray::create("grass");
   return grass;
 }
 
@@ -71,79 +98,90 @@ Status InstancedGrass::setBounds(const GrassLayout& layout, const HeightField* g
 
 Status InstancedGrass::configure(const FieldSettings& field, const GrassSettings& grass, const HeightField* ground) {
   const GrassLayout layout = makeGrassLayout(field, grass);
-  if (!sameLists(layout, m_layout) && layout.chunkLimit > 0) {
-    const std::size_t blades = static_cast<std::size_t>(layout.capacity.x) + layout.capacity.y + layout.capacity.z;
-    Result<gpu::Buffer> chunks =
-        gpu::Buffer::create("grass chunks", layout.chunkLimit * sizeof(GrassChunk), gpu::BufferUse::Static);
-    if (!chunks) return chunks.error();
-    Result<gpu::Buffer> list = gpu::Buffer::create("grass blades", blades * sizeof(GrassBlade), gpu::BufferUse::Static);
-    if (!list) return list.error();
-    m_chunks = std::move(*chunks);
-    m_blades = std::move(*list);
-  }
   if (Status set = setBounds(layout, ground); !set) return set;
   m_layout = layout;
   return Done{};
 }
 
-void InstancedGrass::bindSettings(const GrassSettings& grass, float detail) {
-  const GrassBlock block = makeGrassBlock(grass, m_layout, detail);
+Status InstancedGrass::makeRoomFor(const GrassBlock& block, const GrassQuality& quality) {
+  const double most = (quality.thinning ? kMostBlades : kMostUnthinned) / GRASS_CHUNK;
+  m_chunkLimit = static_cast<std::uint32_t>(std::min(chunksInRange(block), most));
+  if (Status made = grow(m_chunks, "grass chunks", m_chunkLimit * sizeof(GrassChunk)); !made) return made;
+  if (Status made = grow(m_blades, "grass blades", m_chunkLimit * GRASS_CHUNK * sizeof(GrassBlade)); !made) return made;
+  const std::uint32_t tiles = tilesInRings(block);
+  if (Status made = grow(m_tileWork, "grass tiles", tiles * sizeof(std::uint32_t)); !made) return made;
+  return grow(m_groupWork, "grass groups", groupsOf(tiles) * sizeof(glm::uvec4));
+}
+
+Status InstancedGrass::bindSettings(const GrassSettings& grass, std::span<const Species> species,
+                                    const GrassQuality& quality, const shared::FrameBlock& frame, int occluderLevels) {
+  GrassBlock block = makeGrassBlock(grass, species, m_layout, quality, frame);
+  block.limits.z = occluderLevels > 0 ? 1.0f : 0.0f;
+  block.limits.w = static_cast<float>(occluderLevels);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_GRASS);
+  m_tiles = tilesInRings(block);
+  if (m_tiles == 0) return Done{};
+  Status room = makeRoomFor(block, quality);
+  if (!room) m_tiles = 0;
+  return room;
 }
 
 void InstancedGrass::prepare() {
-  if (empty()) return;
+  if (m_tiles == 0) return;
   const gpu::DebugGroup group("grass: cull and place");
-  const GrassCommands commands = emptyCommands();
-  // The indirect draws and counters of the last frame read and wrote this buffer.
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  m_commands.write(&commands, sizeof commands);
   m_chunks.bindStorage(RENDER_SSBO_CHUNKS);
   m_blades.bindStorage(RENDER_SSBO_BLADES);
   m_commands.bindStorage(RENDER_SSBO_COMMANDS);
   m_bounds.bindStorage(RENDER_SSBO_GRASS_BOUNDS);
-
+  m_tileWork.bindStorage(RENDER_SSBO_TILE_WORK);
+  m_groupWork.bindStorage(RENDER_SSBO_GROUP_WORK);
+  const std::uint32_t groups = groupsOf(m_tiles);
   m_cull->use();
-  const int tiles = m_layout.tiles.x * m_layout.tiles.y;
-  m_cull->dispatch((tiles + 63) / 64);
-
-  // place_blades reads the chunks and the group count that cull_tiles wrote.
+  m_cull->dispatch(static_cast<int>(groups));
+  // The scan reads what cull_tiles counted.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  m_scan->use();
+  m_scan->set("groups", groups);
+  m_scan->set("chunkLimit", m_chunkLimit);
+  m_scan->dispatch(1);
+  // list_chunks reads the starts that scan_groups wrote.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  m_list->use();
+  m_list->dispatch(static_cast<int>(groups));
+  // place_blades reads the chunks of list_chunks and the group count of scan_groups.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   m_place->use();
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, m_commands.name());
-  glDispatchComputeIndirect(0);
-  glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, 0);
+  m_place->dispatchIndirect(m_commands, offsetof(GrassCommands, groupsX));
 }
 
 void InstancedGrass::draw(const gpu::PassState& state) {
-  if (empty()) return;
+  if (m_tiles == 0) return;
   const gpu::DebugGroup group("grass: draw");
   gpu::apply(state);
-  // The vertex shader reads the blades, and the draws their counts, that place_blades wrote.
+  // The vertex shader reads blades and counts that place_blades wrote, the draws the commands of scan_groups.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+  m_chunks.bindStorage(RENDER_SSBO_CHUNKS);
   m_blades.bindStorage(RENDER_SSBO_BLADES);
-  m_noVertices.bind();
+  m_commands.bindStorage(RENDER_SSBO_COMMANDS);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.name());
-  std::uint32_t start = 0;
   for (std::size_t level = 0; level < GRASS_LEVELS; ++level) {
     m_blade[level]->use();
-    m_blade[level]->set("listStart", start);
-    const std::size_t offset = offsetof(GrassCommands, draws) + level * 4 * sizeof(std::uint32_t);
-    glDrawArraysIndirect(GL_TRIANGLE_STRIP, reinterpret_cast<const void*>(offset));
-    start += m_layout.capacity[static_cast<int>(level)];
+    m_blade[level]->set("level", static_cast<unsigned>(level));
+    m_strips[level].bind();
+    const std::size_t offset = offsetof(GrassCommands, draws) + level * 5 * sizeof(std::uint32_t);
+    glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(offset));
   }
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
   m_counts.request(m_commands, 0, sizeof(GrassCommands), 0);
 }
 
 long long InstancedGrass::bladesDrawn() {
-  if (empty()) return 0;  // no grass: nothing was counted for a while
+  if (m_tiles == 0) return 0;  // no grass: nothing was counted for a while
   if (const auto arrived = m_counts.poll()) {
     GrassCommands commands{};
     std::memcpy(&commands, arrived->bytes.data(), sizeof commands);
-    m_bladesDrawn = 0;
-    for (std::size_t level = 0; level < GRASS_LEVELS; ++level) m_bladesDrawn += commands.draws[level * 4 + 1];
+    m_bladesDrawn = commands.blades;
   }
   return m_bladesDrawn;
 }

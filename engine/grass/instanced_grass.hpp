@@ -1,12 +1,13 @@
 #pragma once
 // Instanced grass after Choi & Sung, "CWD-Sim", 2024: every blade follows the wind of its group, found on
-// the GPU; nothing per blade crosses the bus. Beyond the paper: tiles are culled against the frustum, blades
-// thin out and widen with distance, and there are three levels of detail.
+// the GPU; nothing per blade is stored or crosses the bus. Beyond the paper: tiles and blades are culled against the
+// frustum and against hills and solids, blades thin out and widen with distance, and there are three levels of detail.
 //
-// Passes: cull_tiles lists chunks of visible blades, place_blades makes each blade and puts it on the list
-// of its level, three indirect draws draw the lists. No result is waited for.
+// Passes: cull_tiles looks at the tiles around the camera, scan_groups and list_chunks list their visible blades in
+// chunks of 32, near ones first and always in the same order, place_blades makes the blades, three indirect draws draw
+// the chunks as instances. No result is waited for.
 
-#include <memory>
+#include <array>
 #include <span>
 
 #include "engine/core/result.hpp"
@@ -24,14 +25,18 @@ class InstancedGrass {
   /// Fails with Machine.
   static Result<InstancedGrass> create(gpu::ShaderLibrary& shaders);
 
-  /// Takes over field, grass settings and ground (null: flat); equal layouts keep their buffers. Where the GPU has no memory for
-  /// the lists (Machine) the grass stays as it was.
+  /// Takes over field, grass settings and ground (null: flat). Where the GPU has no memory (Machine) the grass stays as
+  /// it was.
   Status configure(const FieldSettings& field, const GrassSettings& grass, const HeightField* ground);
 
-  /// Fills the settings block for this frame; it stays bound for all passes of the frame, also the ground's.
-  void bindSettings(const GrassSettings& grass, float detail);
+  /// Fills the settings block for this frame; it stays bound for all passes of the frame, also the ground's. Makes room
+  /// for what may be seen; fails with Machine, and then nothing is drawn. `occluderLevels`: of the pyramid bound at
+  /// RENDER_TEXTURE_OCCLUDERS, 0: none.
+  Status bindSettings(const GrassSettings& grass, std::span<const Species> species, const GrassQuality& quality,
+                      const shared::FrameBlock& frame, int occluderLevels);
 
-  /// Culls and places. The frame block, wind, noise, ground and solid textures must be bound (render_bindings.h).
+  /// Culls and places. The frame block, wind, noise, ground, solid and occluder textures must be bound
+  /// (render_bindings.h).
   void prepare();
 
   /// Draws into the target of `state`.
@@ -44,15 +49,17 @@ class InstancedGrass {
  private:
   InstancedGrass() = default;
   Status setBounds(const GrassLayout& layout, const HeightField* ground);
-  bool empty() const { return m_layout.chunkLimit == 0; }
+  Status makeRoomFor(const GrassBlock& block, const GrassQuality& quality);
 
   GrassLayout m_layout;
-  gpu::Program* m_cull = nullptr;
-  gpu::Program* m_place = nullptr;
-  gpu::Program* m_blade[GRASS_LEVELS] = {};
-  gpu::Buffer m_settings, m_chunks, m_blades, m_commands, m_bounds;
-  gpu::VertexArray m_noVertices;
+  gpu::Program *m_cull = nullptr, *m_scan = nullptr, *m_list = nullptr, *m_place = nullptr;
+  std::array<gpu::Program*, GRASS_LEVELS> m_blade{};
+  std::array<gpu::Buffer, GRASS_LEVELS> m_indices;
+  std::array<gpu::VertexArray, GRASS_LEVELS> m_strips;
+  gpu::Buffer m_settings, m_chunks, m_blades, m_commands, m_bounds, m_tileWork, m_groupWork;
   gpu::ReadbackRing m_counts;
+  std::uint32_t m_tiles = 0;  // looked at this frame; 0: nothing to draw
+  std::uint32_t m_chunkLimit = 0;
   long long m_bladesDrawn = 0;
 };
 

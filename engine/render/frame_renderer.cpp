@@ -143,7 +143,8 @@ class FrameRendererImpl final : public FrameRenderer {
     m_block = makeFrameBlock(input, defaultLight());
     m_parts.frame.write(&m_block, sizeof m_block);
     m_parts.frame.bindUniform(RENDER_UBO_FRAME);
-    m_parts.grass.bindSettings(*input.project->grass, input.quality.detail);
+    const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling};
+    accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block, 0));
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
     m_parts.ground.bind();
     m_parts.solids.updateMap();

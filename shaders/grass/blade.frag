@@ -1,7 +1,7 @@
 #version 450 core
 in vec3 bladeColour;
 #if SEGMENTS > 1
-in vec2 bladePlace;
+in vec3 bladePlace;
 #endif
 layout(location = 0) out vec4 sceneColour;
 
@@ -10,7 +10,7 @@ void main() {
 #if SEGMENTS > 3
   // The midrib: a fold that keeps a little darker on one side and lighter on the other.
   float fold = bladePlace.x * 3.0;
-  colour *= 1.0 + 0.14 * fold * exp(-fold * fold) - 0.05 * exp(-fold * fold * 3.0);
+  colour *= 1.0 + bladePlace.z * (0.14 * fold * exp(-fold * fold) - 0.05 * exp(-fold * fold * 3.0));
 #endif
   sceneColour = vec4(colour, 1.0);
 }

@@ -15,9 +15,10 @@ vec2 meadowPatch(vec2 world) {
 }
 
 // Colour along a blade. `height` 0..1, `dry` 0..1, `hue` -1 bluish .. 1 yellowish.
-vec3 bladeAlbedo(float height, float dry, float bright, float hue) {
-  vec3 green = mix(grass.baseColour.rgb, grass.tipColour.rgb, smoothstep(0.0, 1.0, height));
-  vec3 straw = mix(grass.baseColour.rgb * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, height));
+vec3 bladeAlbedo(uint species, float height, float dry, float bright, float hue) {
+  vec3 base = grass.species[species].base.rgb;
+  vec3 green = mix(base, grass.species[species].tip.rgb, smoothstep(0.0, 1.0, height));
+  vec3 straw = mix(base * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, height));
   vec3 colour = mix(green, straw, dry);
   return colour * bright * (vec3(1.0) + hue * vec3(0.16, 0.03, -0.14));
 }
@@ -89,6 +90,13 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(1.0 - t.y, sun);
 }
 
+// Contours of the meadow catch the sky's light: Ks (1 - (N_L . V))^p with the ground's normal (Belyaev and others).
+vec3 contourLift(vec3 ground, vec3 v, float lit) {
+  float edge = 1.0 - clamp(dot(ground, v), 0.0, 1.0);
+  float edge2 = edge * edge;
+  return (0.030 * frame.sunColour.rgb + 0.045 * frame.skyColour.rgb) * grass.tipColour.rgb * (edge2 * edge2 * edge2 * lit);
+}
+
 // Eq. 14 of Choi & Sung 2024: `height` of the point over its root after bending in blade lengths, `force`
 // |F|. Low and pushed-down grass darkens, between m_min and m_max.
 float heightWindShade(float height, float force) {
@@ -98,7 +106,7 @@ float heightWindShade(float height, float force) {
 // |F| of eq. 14. Bounded for arc, so that a gale doesn't turn the meadow black.
 float shadeForce(float speed) {
   float force = grass.motion.x * speed;
-  return grass.size.w == GRASS_DEFORMATION_ARC ? force / (1.0 + force) : force;
+  return grass.size.w != GRASS_DEFORMATION_QUADRATIC ? force / (1.0 + force) : force;
 }
 
 // The stem direction of grass under a wind: mean over blades.
@@ -113,7 +121,7 @@ vec3 meanStem(vec2 wind) {
 
 // Earth and old grass between the stems. `litter` 0..1 bare to covered.
 vec3 undergrowth(float litter, float bright, float sunlit, float open) {
-  vec3 low = mix(frame.groundColour.rgb, bladeAlbedo(0.45, 0.1, 1.0, 0.0), 0.55 + 0.4 * litter) * bright;
+  vec3 low = mix(frame.groundColour.rgb, bladeAlbedo(0u, 0.45, 0.1, 1.0, 0.0), 0.55 + 0.4 * litter) * bright;
   float sun = sunInCanopy(0.3, grass.levels.z) * sunlit;
   vec3 light = frame.sunColour.rgb * max(frame.sunDirection.y, 0.0) * sun + frame.skyColour.rgb * mix(0.9, 0.4, grass.levels.z) * open;
   return low * light;
@@ -127,12 +135,13 @@ float groundSeen(vec3 v, vec3 stem) {
 }
 
 // The meadow as seen from where single blades can't be told apart.
-vec3 meadowColour(vec2 world, vec2 wind, vec3 v, float sunlit) {
+vec3 meadowColour(vec2 world, vec2 wind, vec3 v, vec3 ground, float sunlit) {
   vec2 patchTint = meadowPatch(world);
   vec3 stem = meanStem(wind);
   // A low eye sees the tips, a high one looks down into the canopy.
   float height = mix(0.86, 0.52, sqrt(max(v.y, 0.0)));
   GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
-  vec3 albedo = laidAlbedo(bladeAlbedo(height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
-  return mix(lightCanopy(albedo, stem, v, at), undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
+  vec3 albedo = laidAlbedo(bladeAlbedo(0u, height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
+  vec3 light = lightCanopy(albedo, stem, v, at) + contourLift(ground, v, sunlit * height);
+  return mix(light, undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
 }

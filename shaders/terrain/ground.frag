@@ -37,9 +37,9 @@ void main() {
 
   float tall = grass.baseColour.w * pixels;
   float blended = 1.0 - smoothstep(0.8, 6.0, tall / grass.cover.w);
-  float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileOrigin.z));
+  float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileCentre.z));
   vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
-  vec3 meadow = meadowColour(world, wind, v, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);
+  vec3 meadow = meadowColour(world, wind, v, slope.normal, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);
   float litter = smoothstep(0.35, 0.7, 0.6 * fine.a + 0.4 * mid.r);
   vec3 ground = undergrowth(litter, 0.65 + 0.7 * fine.b, sunlit, open);
   writeScene(throughAir(mix(ground, meadow, mean) * light, groundWorld));
