@@ -64,13 +64,11 @@ struct MeadowBench {
 std::vector<BenchMeadow> meadowsOf(const BenchSetup& setup) {
   if (setup.size == BenchSize::Quick) return {{"2 k", 10, 20}};
   std::vector<BenchMeadow> meadows;
-  for (int millions = 1; millions <= 7; ++millions)
-    meadows.push_back({std::to_string(millions) + " M", 100, 100.0f * static_cast<float>(millions)});
-  // Minutes on a software renderer, and they say nothing there.
-  if (setup.context->info().software) return {meadows.front(), meadows.back()};
-  for (const int millions : {20, 50, 100})
-    meadows.push_back({std::to_string(millions) + " M", 1000, static_cast<float>(millions)});
-  meadows.push_back({"100 M on 100 m", 100, 10'000});
+  // On a software renderer more take minutes and say nothing.
+  const std::vector<int> own =
+      setup.context->info().software ? std::vector{1, 7} : std::vector{1, 2, 3, 4, 5, 6, 7, 20, 50, 100};
+  for (const int millions : setup.blades.empty() ? own : setup.blades) meadows.push_back(benchMeadowOf(millions));
+  if (setup.blades.empty() && !setup.context->info().software) meadows.push_back({"100 M on 100 m", 100, 10'000});
   return meadows;
 }
 
@@ -87,8 +85,8 @@ Result<std::vector<BenchRow>> benchMeadowTable(const BenchSetup& setup) {
   }
   // After all others, so that the large lists are not yet there when memory is counted.
   for (const BenchMeadow& meadow : meadows) {
-    const bool told = meadow.metres > 100 || meadow.density >= 700 || &meadow == &meadows.front();
-    if (!told) continue;
+    const bool between = &meadow != &meadows.front() && meadow.metres == 100 && meadow.density < 700;
+    if (between) continue;
     if (Status added = bench.add(meadow, std::span(kModes).subspan(1), "eye"); !added) return added.error();
   }
   return std::move(bench.rows);
