@@ -27,6 +27,7 @@ struct BenchSetup {
   gpu::ShaderLibrary* shaders = nullptr;
   std::optional<glm::ivec2> picture;  ///< pixels of the scenes that draw; none: their own choice
   std::string pictures;               ///< folder that scene `picture` puts its pictures into; empty: nowhere
+  std::vector<std::string> views;     ///< cameras of scene `picture` by name; empty: all
   std::vector<int> blades;            ///< millions of blades of the scenes with a choice; empty: their own
   std::vector<int> cells;             ///< sides of the fields of scene `solver`; empty: its own choice
   double capSeconds = 20;             ///< about how long one row may take; rows that would take longer have fewer runs

@@ -21,7 +21,6 @@ constexpr Mode kModes[] = {
 
 struct MeadowBench {
   const BenchSetup& setup;
-  FrameBench frames;
   std::vector<BenchRow> rows;
 
   /// One meadow in the first `modes` of kModes, each seen from every camera named.
@@ -31,15 +30,18 @@ struct MeadowBench {
     const Result<std::unique_ptr<Simulation>> simulation = benchWind(setup, project);
     if (!simulation) return simulation.error();
     for (const Mode& mode : modes) {
+      // A new renderer: lists only grow, and memory is told for each meadow.
+      Result<FrameBench> frames = FrameBench::create(setup, benchPictureSize(setup));
+      if (!frames) return frames.error();
       for (const BenchShot& shot : benchShots(meadow.metres)) {
-        if (onlyCamera.empty() || onlyCamera == shot.name) addRow(meadow, mode, shot, project, **simulation);
+        if (onlyCamera.empty() || onlyCamera == shot.name) addRow(*frames, meadow, mode, shot, project, **simulation);
       }
     }
     return Done{};
   }
 
-  void addRow(const BenchMeadow& meadow, const Mode& mode, const BenchShot& shot, const Project& project,
-              Simulation& simulation) {
+  void addRow(FrameBench& frames, const BenchMeadow& meadow, const Mode& mode, const BenchShot& shot,
+              const Project& project, Simulation& simulation) {
     BenchRow row = {{"blades", meadow.name}, {"camera", shot.name}, {"with", mode.name}};
     if (const Result<FrameTimes> times = frames.run(project, &simulation, shot.camera, mode.quality)) {
       row.update({{"wind sim ms", times->windMs},
@@ -76,14 +78,11 @@ std::vector<BenchMeadow> meadowsOf(const BenchSetup& setup) {
 
 Result<std::vector<BenchRow>> benchMeadowTable(const BenchSetup& setup) {
   if (setup.context == nullptr) return std::vector<BenchRow>{};
-  Result<FrameBench> frames = FrameBench::create(setup, benchPictureSize(setup));
-  if (!frames) return frames.error();
-  MeadowBench bench{setup, std::move(*frames), {}};
+  MeadowBench bench{setup, {}};
   const std::vector<BenchMeadow> meadows = meadowsOf(setup);
   for (const BenchMeadow& meadow : meadows) {
     if (Status added = bench.add(meadow, std::span(kModes).first(1), {}); !added) return added.error();
   }
-  // After all others, so that the large lists are not yet there when memory is counted.
   for (const BenchMeadow& meadow : meadows) {
     const bool between = &meadow != &meadows.front() && meadow.metres == 100 && meadow.density < 700;
     if (between) continue;

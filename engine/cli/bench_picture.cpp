@@ -58,6 +58,8 @@ struct PictureBench {
     const Result<gpu::Texture> wind = benchWhirls(grid);
     if (!wind) return wind.error();
     for (const BenchShot& shot : benchShots(meadow.metres)) {
+      if (!setup.views.empty() && std::find(setup.views.begin(), setup.views.end(), shot.name) == setup.views.end())
+        continue;
       if (Status added = addShot(meadow, shot, project, {wind->name(), grid}); !added) return added;
     }
     return Done{};

@@ -97,6 +97,7 @@ TEST_F(MeadowQuality, NothingPopsInASlowFlight) {
 TEST_F(MeadowQuality, ThinningKeepsTheBrightness) {
   m_wind = uniformWind({4.0f, 2.0f});
   m_input.wind.name = m_wind.name();
+  m_input.size = {240, 136};
   for (const float density : {100.0f, 400.0f}) {
     setDensity(density);
     // The benchmark's views of a meadow of this size, and of a larger one.
