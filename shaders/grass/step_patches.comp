@@ -9,6 +9,7 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
+#include "shaders/include/grass_maps.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/virtual_wind.glsl"
 #include "shaders/include/blade_chain.glsl"
@@ -95,7 +96,7 @@ bool anythingNear(vec3 root, float reach) {
 // Bends a blade out of what touches it; false: it is hidden.
 bool bentOutOfAll(BladeRoot own, inout vec4 joints[CHAIN_SEGMENTS]) {
   vec3 root = vec3(own.root.x, groundHeight(own.root), own.root.y);
-  if (!anythingNear(root, own.height * 1.25)) return true;
+  if (!anythingNear(root, own.height * 1.25 * max(mapHeight(own.root), 1.0))) return true;
   float height = standingHeight(own);
   BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
   ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));

@@ -11,6 +11,7 @@
 #include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
 #include "engine/grass/grass_layout.hpp"
+#include "engine/grass/grass_maps.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
@@ -37,6 +38,8 @@ class GrassScene {
     const glm::vec2 farAway(100.0f, 100.0f);
     m_solids.upload(GL_RG, GL_FLOAT, &farAway);
     m_ground = taken(GroundPass::create(shaders));
+    m_maps = taken(GrassMaps::create());
+    WL_REQUIRE(m_maps->configure(grass).ok(), "no maps fit");
     m_frame = taken(gpu::Buffer::create("test frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic));
     m_settings = taken(gpu::Buffer::create("test grass", sizeof(GrassBlock), gpu::BufferUse::Dynamic));
   }
@@ -99,6 +102,7 @@ class GrassScene {
     m_noise.bind(RENDER_TEXTURE_NOISE);
     m_solids.bind(RENDER_TEXTURE_SOLIDS);
     m_ground->bind();
+    m_maps->bind();
     (m_wind.name() != 0 ? m_wind : m_noise).bind(RENDER_TEXTURE_WIND);
   }
   [[nodiscard]] GrassLayout layout() const { return makeGrassLayout(field, grass); }
@@ -112,6 +116,7 @@ class GrassScene {
   Project m_project;
   gpu::Texture m_noise, m_solids, m_wind;
   std::optional<GroundPass> m_ground;
+  std::optional<GrassMaps> m_maps;
   gpu::Buffer m_frame, m_settings;
 };
 
