@@ -5,92 +5,153 @@
 #include "engine/io/asset_copy.hpp"
 #include "engine/io/assets.hpp"
 #include "engine/io/plant_file.hpp"
+#include "engine/model/species_presets.hpp"
 
 namespace windloom::editor {
 namespace fs = std::filesystem;
 namespace {
 
-using Watch = BackgroundRead<LoadedAsset>::Watch;
+bool isMap(AssetUse use) {
+  return use != AssetUse::Species && use != AssetUse::Collider;
+}
 
-/// Brings a file that was read into the project and names it so.
-template <class T>
-Result<LoadedAsset> bring(AssetTarget target, Result<std::shared_ptr<T>> read, const fs::path& file,
-                          const fs::path& projectFile, const Watch& watch) {
-  if (!read) return read.error();
-  // Copied only when it is known to be good.
+Result<std::string> bring(const fs::path& file, const fs::path& projectFile, const LoadWatch& watch) {
   if (!watch("Bringing it into the project's folder")) return makeError(ErrorKind::Usage, "stopped");
   std::error_code ignored;
-  Result<std::string> name = bringAsset(file, fs::absolute(projectFile, ignored).parent_path());
-  if (!name) return name.error();
-  const std::shared_ptr<T> made = *read;
-  WL_REQUIRE(made != nullptr, "a file that was read has contents");
-  made->file = *name;
-  return LoadedAsset{target, std::shared_ptr<const T>(made)};
+  return bringAsset(file, fs::absolute(projectFile, ignored).parent_path());
 }
 
-Result<LoadedAsset> load(AssetTarget target, const fs::path& file, const fs::path& projectFile, const Watch& watch) {
-  if (target.place == AssetPlace::SpeciesMesh)
-    return bring(target, readPlantFile(file, MeshUse::Plant), file, projectFile, watch);
-  if (target.place == AssetPlace::ColliderMesh)
-    return bring(target, readPlantFile(file, MeshUse::Object), file, projectFile, watch);
-  return bring(target, readGrassMap(file), file, projectFile, watch);
-}
-
-template <class Record, class Shape>
-Result<Edit> meshEdit(const std::vector<Record>& records, const LoadedAsset& asset, Shape mesh, const char* label) {
-  const auto found = std::ranges::find(records, asset.target.id, &Record::id);
-  if (found == records.end()) {
-    return makeError(ErrorKind::BadInput, "What " + fileOf(asset) + " was read for has been deleted meanwhile");
+/// Copied only when it is known to be good.
+Result<LoadedAsset> load(const AssetTarget& target, const fs::path& file, const fs::path& projectFile,
+                         const LoadWatch& watch) {
+  LoadedAsset asset{target, nullptr, nullptr};
+  if (isMap(target.use)) {
+    const Result<std::shared_ptr<GrassMap>> map = readGrassMap(file);
+    if (!map) return map.error();
+    const Result<std::string> name = bring(file, projectFile, watch);
+    if (!name) return name.error();
+    (*map)->file = *name;
+    asset.map = *map;
+    return asset;
   }
-  Record record = *found;
-  record.shape = mesh;
-  record.file = fileOf(asset);
-  record.mesh = std::get<std::shared_ptr<const PlantMesh>>(asset.value);
-  return Edit{.label = label, .steps = {Put<Record>{std::move(record)}}, .mergeKey = {}};
+  const Result<std::shared_ptr<PlantMesh>> mesh =
+      readPlantFile(file, target.use == AssetUse::Species ? MeshUse::Plant : MeshUse::Object);
+  if (!mesh) return mesh.error();
+  const Result<std::string> name = bring(file, projectFile, watch);
+  if (!name) return name.error();
+  (*mesh)->file = *name;
+  asset.mesh = *mesh;
+  return asset;
+}
+
+std::string GrassSettings::*nameOf(AssetUse use) {
+  return use == AssetUse::DensityMap  ? &GrassSettings::densityMap
+         : use == AssetUse::HeightMap ? &GrassSettings::heightMap
+                                      : &GrassSettings::colourMap;
+}
+std::shared_ptr<const GrassMap> GrassSettings::*pixelsOf(AssetUse use) {
+  return use == AssetUse::DensityMap  ? &GrassSettings::densityPixels
+         : use == AssetUse::HeightMap ? &GrassSettings::heightPixels
+                                      : &GrassSettings::colourPixels;
+}
+
+void give(Species& species, const LoadedAsset& asset) {
+  if (species.shape != PlantShape::Mesh) species.height = std::clamp(asset.mesh->high.y, 0.01f, 10.0f);
+  species.shape = PlantShape::Mesh;
+  species.file = asset.mesh->file;
+  species.mesh = asset.mesh;
+}
+void give(Collider& collider, const LoadedAsset& asset) {
+  collider.shape = ColliderShape::Mesh;
+  collider.file = asset.mesh->file;
+  collider.mesh = asset.mesh;
+}
+
+template <class Record>
+void giveEach(Edit& edit, const std::vector<Record>& records, const LoadedAsset& asset) {
+  for (Record record : records) {
+    if (std::ranges::find(asset.target.ids, record.id) == asset.target.ids.end()) continue;
+    give(record, asset);
+    edit.steps.emplace_back(Put<Record>{std::move(record)});
+  }
+}
+
+AddResult addWith(const Project& project, const LoadedAsset& asset) {
+  const std::string name = fs::path(asset.file()).stem().string();
+  if (asset.target.use == AssetUse::Species) {
+    Species species = speciesPreset(PlantShape::Mesh);
+    species.name = name;
+    species.shape = PlantShape::Blade;  // so that the mesh says how high it is
+    give(species, asset);
+    return addSpeciesEdit(project, std::move(species));
+  }
+  Collider collider;
+  collider.name = name;
+  collider.position = asset.target.place;
+  give(collider, asset);
+  return addColliderEdit(project, std::move(collider));
+}
+
+/// `ask` is asked about the target's first record; `none` where there is none.
+template <class Records, class Ask, class Answer>
+Answer ofFirst(const Records& records, const std::vector<Id>& ids, Ask&& ask, Answer none) {
+  for (const auto& record : records) {
+    if (std::ranges::find(ids, record.id) != ids.end()) return ask(record);
+  }
+  return none;
 }
 
 }  // namespace
 
-void AssetLoad::start(AssetTarget target, fs::path file, fs::path projectFile) {
-  m_target = target;
-  std::string doing = "Reading " + file.filename().string(), name = file.string();
-  m_read.start(std::move(doing), std::move(name),
-               [target, file = std::move(file), projectFile = std::move(projectFile)](const Watch& watch) {
-                 return load(target, file, projectFile, watch);
-               });
+const char* assetEndings(AssetUse use) {
+  return isMap(use) ? ".png" : ".glb;.gltf";
 }
 
-std::optional<AssetTarget> AssetLoad::target() const {
-  if (!m_read.running()) return std::nullopt;
-  return m_target;
+void AssetLoad::start(AssetTarget target, const fs::path& file, const fs::path& projectFile) {
+  FileLoad::start(file, [target = std::move(target), file, projectFile](const LoadWatch& watch) {
+    return load(target, file, projectFile, watch);
+  });
 }
 
-const std::string& fileOf(const LoadedAsset& asset) {
-  return std::visit([](const auto& value) -> const std::string& { return value->file; }, asset.value);
-}
-
-Result<Edit> assetEdit(const Project& project, const LoadedAsset& asset) {
-  if (asset.target.place == AssetPlace::SpeciesMesh)
-    return meshEdit(*project.species, asset, PlantShape::Mesh, "Set plant");
-  if (asset.target.place == AssetPlace::ColliderMesh)
-    return meshEdit(*project.colliders, asset, ColliderShape::Mesh, "Set object");
-  GrassSettings grass = *project.grass;
-  const auto& map = std::get<std::shared_ptr<const GrassMap>>(asset.value);
-  switch (asset.target.place) {
-    case AssetPlace::DensityMap:
-      grass.densityMap = map->file;
-      grass.densityPixels = map;
-      break;
-    case AssetPlace::HeightMap:
-      grass.heightMap = map->file;
-      grass.heightPixels = map;
-      break;
-    default:
-      grass.colourMap = map->file;
-      grass.colourPixels = map;
-      break;
+AddResult assetEdit(const Project& project, const LoadedAsset& asset) {
+  const AssetTarget& target = asset.target;
+  if (isMap(target.use)) {
+    GrassSettings grass = *project.grass;
+    grass.*nameOf(target.use) = asset.map->file;
+    grass.*pixelsOf(target.use) = asset.map;
+    return {{.label = "Set map", .steps = {Set<GrassSettings>{std::move(grass)}}, .mergeKey = {}}, 0};
   }
-  return Edit{.label = "Set map", .steps = {Set<GrassSettings>{std::move(grass)}}, .mergeKey = {}};
+  if (target.ids.empty()) return addWith(project, asset);
+  AddResult result{{.label = "Set file", .steps = {}, .mergeKey = {}}, 0};
+  if (target.use == AssetUse::Species) {
+    giveEach(result.edit, *project.species, asset);
+  } else {
+    giveEach(result.edit, *project.colliders, asset);
+  }
+  return result;
+}
+
+Edit clearMapEdit(const Project& project, AssetUse map) {
+  Edit edit{.label = "Clear map", .steps = {}, .mergeKey = {}};
+  GrassSettings grass = *project.grass;
+  if ((grass.*nameOf(map)).empty()) return edit;
+  (grass.*nameOf(map)).clear();
+  edit.steps.emplace_back(Set<GrassSettings>{std::move(grass)});
+  return edit;
+}
+
+std::string assetFileOf(const Project& project, const AssetTarget& target) {
+  const auto file = [](const auto& record) { return record.file; };
+  if (target.use == AssetUse::Species) return ofFirst(*project.species, target.ids, file, std::string());
+  if (target.use == AssetUse::Collider) return ofFirst(*project.colliders, target.ids, file, std::string());
+  return (*project.grass).*nameOf(target.use);
+}
+
+bool isAssetRead(const Project& project, const AssetTarget& target) {
+  const auto read = [](const auto& record) { return record.file.empty() || record.mesh != nullptr; };
+  if (target.use == AssetUse::Species) return ofFirst(*project.species, target.ids, read, true);
+  if (target.use == AssetUse::Collider) return ofFirst(*project.colliders, target.ids, read, true);
+  return ((*project.grass).*nameOf(target.use)).empty() || (*project.grass).*pixelsOf(target.use) != nullptr;
 }
 
 }  // namespace windloom::editor

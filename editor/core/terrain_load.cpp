@@ -1,16 +1,13 @@
 #include "editor/core/terrain_load.hpp"
 
 #include "engine/io/asset_copy.hpp"
-#include "engine/io/terrain_file.hpp"
 
 namespace windloom::editor {
 namespace fs = std::filesystem;
-
-using Loaded = Result<std::shared_ptr<const HeightSource>>;
-
 namespace {
 
-Loaded load(const fs::path& file, const fs::path& projectFile, const LoadWatch& watch) {
+Result<std::shared_ptr<const HeightSource>> load(const fs::path& file, const fs::path& projectFile,
+                                                 const LoadWatch& watch) {
   const auto kind = terrainKindOf(file);
   if (!kind) {
     return makeError(ErrorKind::BadInput, file.string(), {}, "is no terrain, expected .png, .glb or .gltf");
@@ -30,12 +27,8 @@ Loaded load(const fs::path& file, const fs::path& projectFile, const LoadWatch& 
 
 }  // namespace
 
-void TerrainLoad::start(fs::path file, fs::path projectFile) {
-  std::string doing = "Reading " + file.filename().string(), name = file.string();
-  m_read.start(std::move(doing), std::move(name),
-               [file = std::move(file), projectFile = std::move(projectFile)](const LoadWatch& watch) {
-                 return load(file, projectFile, watch);
-               });
+void TerrainLoad::start(const fs::path& file, const fs::path& projectFile) {
+  FileLoad::start(file, [=](const LoadWatch& watch) { return load(file, projectFile, watch); });
 }
 
 Edit terrainEdit(const Project& project, std::shared_ptr<const HeightSource> source) {

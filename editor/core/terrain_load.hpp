@@ -3,29 +3,17 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
-#include <string>
 
-#include "editor/core/background_read.hpp"
-#include "engine/core/result.hpp"
+#include "editor/core/file_load.hpp"
 #include "engine/model/edit.hpp"
 
 namespace windloom::editor {
 
-class TerrainLoad {
+class TerrainLoad : public FileLoad<std::shared_ptr<const HeightSource>> {
  public:
-  /// Begins to read `file` for the project at `projectFile`; what was being read is given up.
-  void start(std::filesystem::path file, std::filesystem::path projectFile);
-  [[nodiscard]] bool running() const { return m_read.running(); }
-  /// "Reading hills.png"; empty where nothing runs.
-  [[nodiscard]] std::string doing() const { return m_read.doing(); }
-  /// Nothing comes of it any more, and nothing is copied.
-  void cancel() { m_read.cancel(); }
-  /// The source with its file's name, once, when it is there. Fails as readTerrainFile and bringAsset.
-  std::optional<Result<std::shared_ptr<const HeightSource>>> poll() { return m_read.poll(); }
-
- private:
-  BackgroundRead<std::shared_ptr<const HeightSource>> m_read;
+  /// Begins to read `file` for the project at `projectFile`; what was being read is given up. poll() gives the source
+  /// with its file's name, and fails as readTerrainFile and bringAsset; after cancel() nothing is copied.
+  void start(const std::filesystem::path& file, const std::filesystem::path& projectFile);
 };
 
 /// Makes a source the project's ground, as one step. A first height map covers the wind field; one that takes the place

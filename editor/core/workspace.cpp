@@ -141,31 +141,25 @@ void Workspace::takeTerrain() {
     if (flow.onFailure) flow.onFailure(loaded->error());
     return;
   }
-  const std::string file = (**loaded)->file;
-  if (!liesBesideProject(file)) return;
+  const std::filesystem::path file = (**loaded)->file;
+  if (!isStillBeside(file)) return;
   if (apply(terrainEdit(document.committed(), **loaded)))
-    say(MessageKind::Info, "The ground is " + std::filesystem::path(file).filename().string());
+    say(MessageKind::Info, "The ground is " + file.filename().string());
 }
 
-bool Workspace::liesBesideProject(const std::string& file) {
-  std::error_code ignored;
-  if (std::filesystem::exists(document.path().parent_path() / file, ignored)) return true;
-  const std::string name = std::filesystem::path(file).filename().string();
-  say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+bool Workspace::mayLoadAsset() {
+  if (!document.path().empty()) return true;
+  say(MessageKind::Warning, "Save the project first: its files lie beside it");
   return false;
 }
 
 bool Workspace::loadAsset(AssetTarget target, const std::filesystem::path& file) {
-  if (document.path().empty()) {
-    say(MessageKind::Warning, "Save the project first: its plants, objects and maps lie beside it");
-    return false;
-  }
-  assetLoad.start(target, file, document.path());
+  if (!mayLoadAsset()) return false;
+  assetLoad.start(std::move(target), file, document.path());
   return true;
 }
 
 void Workspace::takeAsset() {
-  // Not into a drag: its end would come upon another project.
   if (tools.dragging()) return;
   const auto loaded = assetLoad.poll();
   if (!loaded) return;
@@ -173,10 +167,24 @@ void Workspace::takeAsset() {
     if (flow.onFailure) flow.onFailure(loaded->error());
     return;
   }
-  const std::string file = fileOf(**loaded);
-  if (!liesBesideProject(file)) return;
-  if (apply(assetEdit(document.committed(), **loaded)))
-    say(MessageKind::Info, std::filesystem::path(file).filename().string() + " is in the meadow");
+  const std::filesystem::path file = (*loaded)->file();
+  if (!isStillBeside(file)) return;
+  const AddResult result = assetEdit(document.committed(), **loaded);
+  if (result.edit.steps.empty()) {
+    say(MessageKind::Warning, "What " + file.filename().string() + " was chosen for is gone");
+  } else if (apply(result.edit)) {
+    if (result.id != 0) selection.replace(result.id);
+    say(MessageKind::Info, "Read " + file.filename().string());
+  }
+}
+
+/// A file that was brought into the project's folder; told where the project has gone elsewhere since.
+bool Workspace::isStillBeside(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::exists(document.path().parent_path() / file, ignored)) return true;
+  const std::string name = file.filename().string();
+  say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+  return false;
 }
 
 void Workspace::followGround() {

@@ -9,7 +9,9 @@
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/grass/plant_pass.hpp"
 #include "engine/render/backdrop.hpp"
+#include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
+#include "engine/render/grass_dynamics.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
 #include "engine/render/overlay_pass.hpp"
@@ -28,9 +30,11 @@ struct Parts {
   InstancedGrass grass;
   GrassMaps maps;
   PlantPass plants;
+  GrassDynamics dynamics;
   Backdrop backdrop;
   GroundPass ground;
   SolidPass solids;
+  ColliderPass colliders;
   OverlayPass overlays;
   gpu::Texture noise;
   gpu::Buffer frame;
@@ -43,20 +47,25 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!maps) return maps.error();
   Result<PlantPass> plants = PlantPass::create(shaders);
   if (!plants) return plants.error();
+  Result<GrassDynamics> dynamics = GrassDynamics::create(shaders);
+  if (!dynamics) return dynamics.error();
   Result<Backdrop> backdrop = Backdrop::create(shaders);
   if (!backdrop) return backdrop.error();
   Result<GroundPass> ground = GroundPass::create(shaders);
   if (!ground) return ground.error();
   Result<SolidPass> solids = SolidPass::create(shaders);
   if (!solids) return solids.error();
+  Result<ColliderPass> colliders = ColliderPass::create(shaders);
+  if (!colliders) return colliders.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),  std::move(*maps),     std::move(*plants), std::move(*backdrop), std::move(*ground),
-               std::move(*solids), std::move(*overlays), std::move(*noise),  std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*maps),   std::move(*plants), std::move(*dynamics),
+               std::move(*backdrop), std::move(*ground), std::move(*solids), std::move(*colliders),
+               std::move(*overlays), std::move(*noise),  std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -92,6 +101,8 @@ class FrameRendererImpl final : public FrameRenderer {
     if (!adoptProject(*input.project) || !fitTargets(input)) return stats();
     m_timer.beginFrame();
     bindFrame(input);
+    m_timer.stage("grass dynamics");
+    moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
     m_parts.plants.prepare(plantView(input));
@@ -107,6 +118,14 @@ class FrameRendererImpl final : public FrameRenderer {
     return stats();
   }
 
+  void advance(const FrameInput& input) override {
+    WL_REQUIRE(input.project != nullptr, "a frame shows a project");
+    if (!adoptProject(*input.project)) return;
+    bindFrame(input);
+    moveGrass(input);
+    WindSampler::unbind();
+  }
+
  private:
   /// Passes take over the parts that changed. A part the machine refuses is logged once and the frame skipped.
   bool adoptProject(const Project& project) {
@@ -115,6 +134,7 @@ class FrameRendererImpl final : public FrameRenderer {
     if (ground && !accept(m_parts.ground.configure(heights, defaultLight().sunDirection))) return false;
     if (ground || project.field != m_field || project.grass != m_grass) {
       if (!accept(m_parts.grass.configure(*project.field, *project.grass, heights.get()))) return false;
+      if (!accept(m_parts.dynamics.configure(project, m_parts.grass.layout()))) return false;
     }
     if (project.grass != m_grass && !accept(m_parts.maps.configure(*project.grass))) return false;
     if (project.field != m_field || project.grass != m_grass || project.species != m_species) {
@@ -123,11 +143,13 @@ class FrameRendererImpl final : public FrameRenderer {
     if (ground || project.field != m_field || project.obstacles != m_obstacles) {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
+    if (project.colliders != m_colliders && !accept(m_parts.colliders.configure(*project.colliders))) return false;
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
     m_species = project.species;
     m_obstacles = project.obstacles;
+    m_colliders = project.colliders;
     return true;
   }
 
@@ -164,6 +186,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.ground.bind();
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
+    m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection);
     m_parts.backdrop.bakeSky();
     // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -180,6 +203,14 @@ class FrameRendererImpl final : public FrameRenderer {
             .culling = input.quality.culling};
   }
 
+  void moveGrass(const FrameInput& input) {
+    const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
+    if (accept(m_parts.dynamics.fitWind(*input.project->grass, input.wind.grid.resolution, most))) {
+      m_parts.dynamics.advance(*input.project, input.time);
+    }
+    m_parts.dynamics.bind();
+  }
+
   void drawScene(const FrameInput& input) {
     const gpu::PassState state{.framebuffer = m_targets.scene(),
                                .viewport = {0, 0, input.size.x, input.size.y},
@@ -188,6 +219,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
+    m_parts.colliders.draw(state, *input.project, input.time);
     m_timer.stage("grass");
     m_parts.grass.draw(state);
     m_timer.stage("plants");
@@ -223,6 +255,7 @@ class FrameRendererImpl final : public FrameRenderer {
   Shared<GrassSettings> m_grass;
   Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
+  Shared<std::vector<Collider>> m_colliders;
   std::string m_lastError;
 };
 
