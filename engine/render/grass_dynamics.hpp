@@ -36,6 +36,7 @@ class GrassDynamics {
   GrassPatches m_patches;
   DynamicsClock m_bladeClock;
   TouchClock m_touchClock;
+  Shared<std::vector<Collider>> m_colliders;  // of the last frame
   glm::ivec2 m_cells{-1};
 };
 
