@@ -15,6 +15,8 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/blade near", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=6"},
     {"grass/blade middle", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=3"},
     {"grass/blade far", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=1"},
+    {"grass/place plants", {"grass/place_plants.comp"}},
+    {"grass/plant", {"grass/plant.vert", "grass/plant.frag"}},
 };
 
 }  // namespace

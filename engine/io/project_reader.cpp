@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "engine/core/file.hpp"
+#include "engine/io/assets.hpp"
 #include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/project_migration.hpp"
@@ -353,6 +354,9 @@ Result<LoadedProject> loadProject(const std::filesystem::path& path) {
   Result<LoadedProject> loaded = parseProject(*text, path.string());
   if (!loaded) return loaded;
   if (Status terrain = loadTerrain(loaded->project, path); !terrain) loaded->missing = terrain.error().problems;
+  if (Status assets = loadAssets(loaded->project, path); !assets) {
+    for (Problem& problem : Error(assets.error()).problems) loaded->missing.push_back(std::move(problem));
+  }
   return loaded;
 }
 

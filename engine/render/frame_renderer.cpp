@@ -5,7 +5,9 @@
 #include "engine/core/log.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/timer.hpp"
+#include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
+#include "engine/grass/plant_pass.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
@@ -26,6 +28,8 @@ constexpr float kSoftwareFullDetail = 0.6f;
 
 struct Parts {
   InstancedGrass grass;
+  GrassMaps maps;
+  PlantPass plants;
   GrassDynamics dynamics;
   Backdrop backdrop;
   GroundPass ground;
@@ -39,6 +43,10 @@ struct Parts {
 Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   Result<InstancedGrass> grass = InstancedGrass::create(shaders);
   if (!grass) return grass.error();
+  Result<GrassMaps> maps = GrassMaps::create();
+  if (!maps) return maps.error();
+  Result<PlantPass> plants = PlantPass::create(shaders);
+  if (!plants) return plants.error();
   Result<GrassDynamics> dynamics = GrassDynamics::create(shaders);
   if (!dynamics) return dynamics.error();
   Result<Backdrop> backdrop = Backdrop::create(shaders);
@@ -55,9 +63,9 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),  std::move(*dynamics),  std::move(*backdrop), std::move(*ground),
-               std::move(*solids), std::move(*colliders), std::move(*overlays), std::move(*noise),
-               std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*maps),   std::move(*plants), std::move(*dynamics),
+               std::move(*backdrop), std::move(*ground), std::move(*solids), std::move(*colliders),
+               std::move(*overlays), std::move(*noise),  std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -97,6 +105,7 @@ class FrameRendererImpl final : public FrameRenderer {
     moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
+    m_parts.plants.prepare(plantView(input));
     drawScene(input);
     if (input.overlays.any()) {
       const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
@@ -127,6 +136,10 @@ class FrameRendererImpl final : public FrameRenderer {
       if (!accept(m_parts.grass.configure(*project.field, *project.grass, heights.get()))) return false;
       if (!accept(m_parts.dynamics.configure(project, m_parts.grass.layout()))) return false;
     }
+    if (project.grass != m_grass && !accept(m_parts.maps.configure(*project.grass))) return false;
+    if (project.field != m_field || project.grass != m_grass || project.species != m_species) {
+      if (!accept(m_parts.plants.configure(*project.field, *project.grass, *project.species))) return false;
+    }
     if (ground || project.field != m_field || project.obstacles != m_obstacles) {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
@@ -134,6 +147,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
+    m_species = project.species;
     m_obstacles = project.obstacles;
     m_colliders = project.colliders;
     return true;
@@ -167,6 +181,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.frame.bindUniform(RENDER_UBO_FRAME);
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling};
     accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block, 0));
+    m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
     m_parts.ground.bind();
     m_parts.solids.updateMap();
@@ -177,6 +192,15 @@ class FrameRendererImpl final : public FrameRenderer {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     glBindTextureUnit(RENDER_TEXTURE_WIND, input.wind.name != 0 ? input.wind.name : m_parts.noise.name());
     m_windSampler.bind();
+  }
+
+  [[nodiscard]] PlantView plantView(const FrameInput& input) const {
+    return {.eye = glm::vec3(m_block.cameraPosition),
+            .orthographic = m_block.cameraPosition.w > 0.5f,
+            .pixelScale = m_block.pixelScale.x,
+            .detail = input.quality.detail,
+            .thinning = input.quality.thinning,
+            .culling = input.quality.culling};
   }
 
   void moveGrass(const FrameInput& input) {
@@ -198,6 +222,8 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.colliders.draw(state, *input.project, input.time);
     m_timer.stage("grass");
     m_parts.grass.draw(state);
+    m_timer.stage("plants");
+    m_parts.plants.draw(state);
     m_timer.stage("ground");
     const auto detail = quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full;
     if (m_parts.ground.flat()) {
@@ -227,6 +253,7 @@ class FrameRendererImpl final : public FrameRenderer {
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
+  Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
   Shared<std::vector<Collider>> m_colliders;
   std::string m_lastError;

@@ -11,6 +11,7 @@
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/virtual_wind.glsl"
+#include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_pose.glsl"
 #define PATCH_STATE_ACCESS
 #include "shaders/include/grass_patches.glsl"
@@ -48,12 +49,6 @@ vec4 swung(vec4 joint, float rate, float keep) {
 ColliderPrimitive seenFrom(ColliderPrimitive primitive, vec3 root, vec3 normal) {
   return ColliderPrimitive(vec4(unplanted(primitive.a.xyz - root, normal), primitive.a.w),
                            vec4(unplanted(primitive.b.xyz - root, normal), 0.0));
-}
-
-float standingHeight(BladeRoot own) {
-  float height = own.height * (0.6 + 0.4 * smoothstep(0.0, 0.5, solidsNear(own.root).distanceM));
-  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, inMargin(own.root)));
-  return height * canopy * (1.0 + 0.5 * grass.size.z * (noiseAtLevel(own.root, 13.0, 1.0).g - 0.5));
 }
 
 ContactChain chainOf(BladeRoot own, BladePose pose, float height, vec2 turned[CHAIN_SEGMENTS]) {
@@ -119,10 +114,7 @@ void main() {
   hidden = false;
   if (anythingNear(root, own.height * 1.25)) {
     float height = standingHeight(own);
-    uint state = own.state;
-    unit(state);
-    unit(state);
-    BladePose pose = blockPose(own, state, rippledWind(own.root, groupWind(own.root), grass.motion.z));
+    BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
     ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));
     hidden = !touched(chain, root, groundNormal(own.root), height);
     vec2 below = vec2(0.0);

@@ -1,5 +1,5 @@
 // The pose of a blade in the wind, as blocks have it. Needs frame.glsl, noise.glsl, ground.glsl, wind_field.glsl, meadow.glsl,
-// grass_tiles.glsl, solids.glsl, grass_blades.glsl, virtual_wind.glsl.
+// grass_tiles.glsl, solids.glsl, grass_blades.glsl, virtual_wind.glsl, blade_chain.glsl.
 
 const float kMaxRestBend = 0.75;  // rad
 
@@ -8,8 +8,16 @@ struct BladePose {
   ChainLeans leans;  // of its segments over the bend
 };
 
-// `state`: of the blade's random numbers, after those for margin and width; takes four of them. `felt`: wind with its ripples.
-BladePose blockPose(BladeRoot own, inout uint state, vec2 felt) {
+// m: lower beside solids and in the meadow's margin, but whatever the camera sees of it.
+float standingHeight(BladeRoot own) {
+  float height = own.height * (0.6 + 0.4 * smoothstep(0.0, 0.5, solidsNear(own.root).distanceM));
+  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, inMargin(own.root)));
+  return height * canopy * (1.0 + 0.5 * grass.size.z * (noiseAtLevel(own.root, 13.0, 1.0).g - 0.5));
+}
+
+// `felt`: wind with its ripples.
+BladePose blockPose(BladeRoot own, vec2 felt) {
+  uint state = pcgHash(own.state ^ 0x1b873593u);
   BladePose pose;
   pose.leans.e = vec2[](vec2(0.0), vec2(0.0), vec2(0.0), vec2(0.0));
   pose.bend = felt * own.factor;
@@ -25,19 +33,6 @@ BladePose blockPose(BladeRoot own, inout uint state, vec2 felt) {
     pose.bend = arcSteadyBend(rest, felt, own.factor) + flutter;
   }
   return pose;
-}
-
-// A point of the pose at `s` of the blade before the leans, from its root, in blade heights.
-vec3 posePoint(vec2 bend, vec2 facing, float s) {
-  if (grass.size.w == GRASS_DEFORMATION_QUADRATIC) {
-    vec2 across = vec2(facing.y, -facing.x);
-    vec3 at = quadraticAt(vec3(0.0, s, 0.0), vec2(dot(bend, across), dot(bend, facing)), grass.droop.x, grass.droop.y, grass.motion.w);
-    return vec3(across.x * at.x + facing.x * at.z, at.y, across.y * at.x + facing.y * at.z);
-  }
-  float angle = length(bend);
-  vec2 towards = angle > 1e-5 ? bend / angle : facing;
-  ArcPoint at = arcAt(min(angle, 1.54), s);
-  return vec3(towards.x * at.position.x, at.position.y, towards.y * at.position.x);
 }
 
 // From the world's axes into those of a blade planted on a slope; undoes planted() of blade.vert.

@@ -23,6 +23,6 @@ ChainLeans virtualMoments(vec2 world) {
 // The leans of a blade over its pose in still air. `rest`: lean of its tip there; `factor`: its F over stiffness, s/m.
 ChainLeans virtualLeans(vec2 root, vec2 rest, float factor) {
   ChainLeans moments = virtualMoments(root);
-  float softness = chainSoftness(chain, moments, rest, factor / max(chain.wind.w, 1e-6));
+  vec2 softness = chainSoftness(chain, moments, rest, factor / max(chain.wind.w, 1e-6));
   return chainEquilibrium(chain, moments, rest, softness);
 }

@@ -17,6 +17,10 @@
 #define RENDER_TEXTURE_GROUND 4
 #define RENDER_TEXTURE_GROUND_LIGHT 5
 #define RENDER_TEXTURE_OCCLUDERS 6
+#define RENDER_TEXTURE_PLANT 9
+#define RENDER_TEXTURE_DENSITY_MAP 11
+#define RENDER_TEXTURE_HEIGHT_MAP 12
+#define RENDER_TEXTURE_COLOUR_MAP 13
 #define RENDER_TEXTURE_COLLIDER 10
 #define RENDER_TEXTURE_VIRTUAL_WIND 14
 
@@ -35,6 +39,10 @@
 #define RENDER_SSBO_CORNERS 5
 #define RENDER_SSBO_TILE_WORK 6
 #define RENDER_SSBO_GROUP_WORK 7
+// The placing of plants other than blades has no chunks, blades and solids.
+#define RENDER_SSBO_PLANTS 1
+#define RENDER_SSBO_PLANT_COMMANDS 2
+#define RENDER_SSBO_PLANT_KINDS 3
 #define RENDER_SSBO_VIRTUAL_BLADES 4
 // The stepping pass of the patches; table and state are read by the placing pass, too.
 #define RENDER_SSBO_PATCHES 4

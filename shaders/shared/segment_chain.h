@@ -244,32 +244,43 @@ WL_FUNCTION vec2 chainTipLean(ChainBlock chain, ChainLeans moments) {
   return sum * (size < 1e-6f ? 1.0f / (1.0f - 2.5f * weight) : tip / size);
 }
 
-/// How much softer than the mean one a blade is (k of the mean over its own) that leans by `rest` in still air and whose
-/// F / stiffness is `relative` of the mean one's: the same moments then bend it as far as arcSteadyBend would, so that
-/// no blade lies down.
-WL_FUNCTION float chainSoftness(ChainBlock chain, ChainLeans moments, vec2 rest, float relative) {
+/// saturateBend backwards, as far as it goes: overshooting blades lean further than any steady wind leans them.
+WL_FUNCTION vec2 chainDrive(vec2 lean) {
+  float part = min(lengthOf(lean) / ARC_ANGLE_LIMIT, 0.97f);
+  return lean / sqrt(1.0f - part * part);
+}
+
+/// How moments act on a blade that leans by `rest` in still air and whose F / stiffness is `relative` of the mean one's,
+/// as a factor of complex numbers: its size is k of the mean blade over its own, its angle turns them as the blade's own
+/// lean turns it in the wind. The blade is then bent as arcSteadyBend would bend it, so that none lies down.
+WL_FUNCTION vec2 chainSoftness(ChainBlock chain, ChainLeans moments, vec2 rest, float relative) {
   vec2 tip = chainTipLean(chain, moments);
   float size = lengthOf(tip);
-  if (size < 1e-4f) return relative;
+  if (size < 1e-4f) return vec2(relative, 0.0f);
   vec2 along = tip / size;
-  // Backwards through saturateBend; overshooting blades lean further than any steady wind leans them.
   float bend = min(size, 0.97f * ARC_ANGLE_LIMIT);
-  float part = bend / ARC_ANGLE_LIMIT;
-  vec2 own = rest + along * (relative * bend / sqrt(1.0f - part * part));
+  vec2 own = chainDrive(rest) + chainDrive(along * bend) * relative;
   float reach = lengthOf(own);
   if (reach > 1e-6f) own = own * (saturateBend(reach, ARC_ANGLE_LIMIT) / reach);
-  return max(dot(own - rest, along), 0.0f) / bend;
+  vec2 bent = own - rest;
+  return vec2(dot(bent, along), along.x * bent.y - along.y * bent.x) / bend;
+}
+
+/// A moment under such a factor.
+WL_FUNCTION vec2 chainSoftened(vec2 moment, vec2 softness) {
+  return vec2(moment.x * softness.x - moment.y * softness.y, moment.x * softness.y + moment.y * softness.x);
 }
 
 /// The leans of a blade under moments and its own weight, by three fixed-point iterations a segment. `rest` is the lean
 /// of its tip in still air, where its springs already carry it. A softer blade is lighter in proportion.
-WL_FUNCTION ChainLeans chainEquilibrium(ChainBlock chain, ChainLeans moments, vec2 rest, float softness) {
+WL_FUNCTION ChainLeans chainEquilibrium(ChainBlock chain, ChainLeans moments, vec2 rest, vec2 softness) {
   ChainLeans leans;
   vec2 below = vec2(0.0f, 0.0f);
   for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
     vec2 restLean = rest * chainShare(i);
-    vec2 held = moments.e[i] * softness - chainSag(chain.spring.z, restLean);
-    vec2 turn = moments.e[i] * softness;
+    vec2 own = chainSoftened(moments.e[i], softness);
+    vec2 held = own - chainSag(chain.spring.z, restLean);
+    vec2 turn = own;
     for (int iteration = 0; iteration < 3; ++iteration) {
       turn = held + chainSag(chain.spring.z, restLean + below + turn);
     }
