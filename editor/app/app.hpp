@@ -46,6 +46,7 @@ class App {
   void registerPlayActions();
   void registerTimeActions();
   void registerSolverActions();
+  void registerFileActions();
   void registerViewActions();
   void readPreferences();
   void readOverlays();

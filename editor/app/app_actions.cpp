@@ -49,6 +49,7 @@ void App::registerActions() {
                    },
                .enabled = [this] { return !m_workspace.selection.empty(); }});
   registerSolverActions();
+  registerFileActions();
   registerViewActions();
   actions.add({.id = "help.keys",
                .label = "Keys and mouse",
@@ -159,6 +160,25 @@ void App::registerTimeActions() {
   add("play.back", "Back one second", "Goes back in time by a second.", {Key::Left, {.alt = true}}, jump(-1), true);
   add("play.forward", "Forward one second", "Goes on by a second as fast as it can.", {Key::Right, {.alt = true}},
       jump(1), true);
+}
+
+/// New things whose shape is a file.
+void App::registerFileActions() {
+  ActionTable& actions = m_workspace.actions;
+  actions.add({.id = "add.species_file",
+               .label = "Add species from glTF...",
+               .category = "Add",
+               .help = "A plant or tuft from a file grows among the blades.",
+               .run = [this] { m_inspector.assets().browse(m_workspace, {.use = AssetUse::Species}); }});
+  actions.add({.id = "add.collider_file",
+               .label = "Add collider from glTF...",
+               .category = "Add",
+               .help = "A thing from a file, in the middle of the view, that bends the grass.",
+               .run = [this] {
+                 constexpr float kReachM = 0.5f;
+                 const glm::vec2 place = freePlace(m_workspace, kReachM);
+                 m_inspector.assets().browse(m_workspace, {.use = AssetUse::Collider, .place = place});
+               }});
 }
 
 /// One for each preset: its settings on the project, undone like any other edit.

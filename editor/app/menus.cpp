@@ -12,7 +12,7 @@ namespace windloom::editor {
 
 namespace {
 
-constexpr const char* kMenus[] = {"File", "Edit", "Select", "Graph", "Tools", "View", "Play", "Help"};
+constexpr const char* kMenus[] = {"File", "Edit", "Select", "Add", "Graph", "Tools", "View", "Play", "Help"};
 
 void actionItem(ActionTable& actions, const Action& action) {
   const std::string label = actions.label(action.id), shortcut = actions.shortcutText(action.id);
@@ -76,11 +76,12 @@ struct ToolButton {
 };
 
 constexpr ToolButton kTools[] = {
-    {"tool.select", icons::kSelect, "Select"}, {"tool.move", icons::kMove, "Move"},
-    {"tool.rotate", icons::kRotate, "Rotate"}, {"tool.scale", icons::kScale, "Scale"},
-    {"tool.draw", icons::kDraw, "Draw"},       {"tool.obstacle", icons::kObstacle, "Obstacle"},
-    {"tool.vortex", icons::kVortex, "Vortex"}, {"tool.brush", icons::kBrush, "Brush"},
-    {"tool.probe", icons::kProbe, "Probe"},    {"tool.delete", icons::kEraser, "Delete"},
+    {"tool.select", icons::kSelect, "Select"},  {"tool.move", icons::kMove, "Move"},
+    {"tool.rotate", icons::kRotate, "Rotate"},  {"tool.scale", icons::kScale, "Scale"},
+    {"tool.draw", icons::kDraw, "Draw"},        {"tool.obstacle", icons::kObstacle, "Obstacle"},
+    {"tool.vortex", icons::kVortex, "Vortex"},  {"tool.brush", icons::kBrush, "Brush"},
+    {"tool.probe", icons::kProbe, "Probe"},     {"tool.delete", icons::kEraser, "Delete"},
+    {"add.collider", icons::kBall, "Collider"},
 };
 constexpr ToolButton kEdits[] = {{"edit.undo", icons::kUndo, "Undo"}, {"edit.redo", icons::kRedo, "Redo"}};
 constexpr ToolButton kOverlays[] = {{"overlay.arrows", icons::kArrow, "Arrows"},
@@ -113,6 +114,19 @@ void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
 void gap() {
   ImGui::Dummy({scaled(10), 1});
   ImGui::SameLine(0, 0);
+}
+
+/// All kinds of plants to add.
+void speciesMenu(ActionTable& actions) {
+  const bool pressed = ImGui::Button(icons::icon(icons::kPlant, "Species"), {look().hasIcons ? scaled(32) : 0, 0});
+  markItem("toolbar/species");
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Add species");
+  ImGui::SameLine(0, scaled(3));
+  if (pressed) ImGui::OpenPopup("species");
+  if (!ImGui::BeginPopup("species")) return;
+  for (const Action& action : actions.all())
+    if (action.category == "Add" && action.label.starts_with("Add species")) actionItem(actions, action);
+  ImGui::EndPopup();
 }
 
 /// In place of buttons that would not fit.
@@ -164,6 +178,7 @@ void drawMenuBar(Workspace& workspace) {
 void drawToolbar(Workspace& workspace) {
   ActionTable& actions = workspace.actions;
   for (const ToolButton& button : kTools) toolButton(actions, button, false);
+  speciesMenu(actions);
   gap();
   for (const ToolButton& button : kEdits) toolButton(actions, button, false);
   gap();

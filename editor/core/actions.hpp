@@ -14,10 +14,11 @@
 namespace windloom::editor {
 
 struct Action {
-  std::string id;        ///< "edit.undo": category and verb; unique
-  std::string label;     ///< "Undo"
-  std::string category;  ///< menu and help heading: "File", "Edit", "Select", "Graph", "Tools", "View", "Play", "Help"
-  std::string help;      ///< one sentence for tooltip and palette; may be empty
+  std::string id;     ///< "edit.undo": category and verb; unique
+  std::string label;  ///< "Undo"
+  std::string
+      category;  ///< menu and help heading: "File", "Edit", "Select", "Add", "Graph", "Tools", "View", "Play", "Help"
+  std::string help;                                ///< one sentence for tooltip and palette; may be empty
   std::vector<Shortcut> shortcuts = {};            ///< the first is shown
   std::function<void()> run = {};                  ///< must be set
   std::function<bool()> enabled = {};              ///< empty: always

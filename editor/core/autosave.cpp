@@ -12,6 +12,7 @@
 
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/io/assets.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
 
@@ -215,6 +216,7 @@ Status restoreRescue(Document& document, const Rescue& rescue) {
   if (!rescue.original.empty()) {
     if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain)
       logWarning(terrain.error().text());
+    if (const Status assets = loadAssets(loaded->project, rescue.original); !assets) logWarning(assets.error().text());
   }
   document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
   return Done{};

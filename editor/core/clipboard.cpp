@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "editor/core/object_edits.hpp"
+#include "engine/core/log.hpp"
+#include "engine/io/assets.hpp"
 #include "engine/io/project_json.hpp"
 
 namespace windloom::editor {
@@ -15,10 +17,15 @@ void copySelection(Workspace& workspace) {
 }
 
 void pasteAtPointer(Workspace& workspace) {
-  const Result<LoadedProject> pieces = parseProject(workspace.clipboardText(), "clipboard");
+  Result<LoadedProject> pieces = parseProject(workspace.clipboardText(), "clipboard");
   if (!pieces) {
     workspace.say(MessageKind::Warning, "Can't paste: " + pieces.error().problems.front().text());
     return;
+  }
+  // Meshes that this project's folder has come along; others are shown as missing.
+  if (!workspace.document.path().empty()) {
+    if (const Status read = loadAssets(pieces->project, workspace.document.path()); !read)
+      logWarning(read.error().text());
   }
   const std::vector<Id> ids = selectableIds(pieces->project);
   const auto pivot = pivotOf(pieces->project, ids);

@@ -1,8 +1,8 @@
 #include "editor/core/document.hpp"
 
 #include "engine/core/log.hpp"
+#include "engine/io/asset_copy.hpp"
 #include "engine/io/project_json.hpp"
-#include "engine/io/terrain_copy.hpp"
 
 namespace windloom::editor {
 
@@ -107,7 +107,7 @@ Status Document::saveAs(const std::filesystem::path& path) {
     const auto folderOf = [&](const std::filesystem::path& file) {
       return std::filesystem::absolute(file, ignored).parent_path();
     };
-    const Status copied = copyTerrainAlong(committed().terrain->file, folderOf(m_path), folderOf(path));
+    const Status copied = copyAssetsAlong(assetFiles(committed()), folderOf(m_path), folderOf(path));
     if (!copied) return copied;
   }
   const Status status = saveProject(committed(), path);

@@ -59,7 +59,7 @@ class Document {
   [[nodiscard]] const std::vector<Problem>& missing() const { return m_missing; }
   /// Fails with Usage where there is no path. On failure the old file is intact, the project still dirty.
   Status save();
-  /// Takes the path over only on success. Into another folder the terrain's file goes along.
+  /// Takes the path over only on success. Into another folder the project's files go along.
   Status saveAs(const std::filesystem::path& path);
   /// Takes over a project rescued from a side file: dirty, belonging to `path` (may be empty).
   void recover(Project project, std::filesystem::path path, std::filesystem::path sideFile);

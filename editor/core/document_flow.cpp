@@ -91,7 +91,7 @@ void DocumentFlow::proceed() {
     if (onDone) onDone("Opened " + path.filename().string());
     if (!m_document.missing().empty()) {
       Error error{ErrorKind::BadInput, m_document.missing()};
-      error.problems.push_back({{}, {}, "The ground is shown flat. The project keeps the file's name."});
+      error.problems.push_back({{}, {}, "It is shown without them, and keeps their names."});
       fail(error);
     }
   }

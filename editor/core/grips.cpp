@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "editor/core/collider_shape.hpp"
 #include "editor/core/object_edits.hpp"
 #include "engine/model/outline.hpp"
 
@@ -65,6 +66,18 @@ void addOutline(const ToolContext& context, std::vector<Grip>& grips) {
       add(GripKind::Turn, 0, {halfExtentOf(*o).x + beyond, 0.0f});
       break;
   }
+}
+
+void addCollider(const ToolContext& context, std::vector<Grip>& grips) {
+  const Collider* c = findCollider(context.document.project(), context.selection.active());
+  if (!c || c->hidden || c->locked) return;
+  const auto add = [&](GripKind kind, glm::vec2 own) {
+    grips.push_back({kind, c->id, 0, toWorld(*c, own), c->position});
+  };
+  if (c->shape == ColliderShape::Sphere) add(GripKind::Radius, {c->radius, 0.0f});
+  if (c->shape == ColliderShape::Capsule) add(GripKind::Radius, {0.0f, c->radius});
+  if (c->shape == ColliderShape::Sphere) return;
+  add(GripKind::Turn, {reachOf(*c) + metresFor(context, c->position, 28.0f), 0.0f});
 }
 
 /// Pixels from the pointer; infinite behind the camera.
@@ -141,7 +154,10 @@ PreviewShapes::Grip shapeOf(const ToolContext& context, SelectKind tool, const G
 std::vector<Grip> gripsOf(const ToolContext& context, SelectKind tool) {
   std::vector<Grip> grips;
   if (context.selection.empty()) return grips;
-  if (tool == SelectKind::Select || tool == SelectKind::Move) addOutline(context, grips);
+  if (tool == SelectKind::Select || tool == SelectKind::Move) {
+    addOutline(context, grips);
+    addCollider(context, grips);
+  }
   if (tool != SelectKind::Select) addGizmo(context, tool, grips);
   return grips;
 }
@@ -157,7 +173,7 @@ std::optional<Grip> gripAt(const ToolContext& context, SelectKind tool, glm::vec
     best = grip;
   }
   if (best && yields(*best)) {
-    for (const Hit& hit : context.hits(pixel, {.arrows = false, .obstacles = false})) {
+    for (const Hit& hit : context.hits(pixel, {.arrows = false, .obstacles = false, .colliders = false})) {
       if (!context.selection.contains(hit.id)) return std::nullopt;
     }
   }

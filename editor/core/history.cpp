@@ -1,5 +1,7 @@
 #include "editor/core/history.hpp"
 
+#include <map>
+
 namespace windloom::editor {
 namespace {
 
@@ -21,6 +23,13 @@ std::size_t bytesOf(const std::vector<T>& records) {
   for (const T& record : records) bytes += heapOf(record.name) + heapOf(record.extra);
   return bytes;
 }
+template <>
+std::size_t bytesOf(const std::vector<Collider>& colliders) {
+  std::size_t bytes = sizeof colliders + colliders.capacity() * sizeof(Collider);
+  for (const Collider& c : colliders)
+    bytes += heapOf(c.name) + heapOf(c.extra) + heapOf(c.file) + c.keys.capacity() * sizeof(ColliderKey);
+  return bytes;
+}
 std::size_t bytesOf(const WindGraph& graph) {
   std::size_t bytes = bytesOf(graph.points) + bytesOf(graph.arrows) + graph.signals.capacity() * sizeof(Signal) +
                       sizeof graph + heapOf(graph.extra);
@@ -28,6 +37,33 @@ std::size_t bytesOf(const WindGraph& graph) {
     bytes += heapOf(signal.extra) + signal.keys.capacity() * sizeof(SignalKey);
   }
   return bytes;
+}
+
+std::size_t bytesOf(const PlantMesh& mesh) {
+  return sizeof mesh + mesh.vertices.capacity() * sizeof(PlantVertex) +
+         mesh.indices.capacity() * sizeof(std::uint32_t) + mesh.texture.capacity() +
+         mesh.spheres.capacity() * sizeof(glm::vec4);
+}
+std::size_t bytesOf(const GrassMap& map) {
+  return sizeof map + map.pixels.capacity();
+}
+
+/// What a project's files were read into, each once.
+std::map<const void*, std::size_t> filesOf(const Project& project) {
+  std::map<const void*, std::size_t> files;
+  const auto add = [&](const auto& read) {
+    if (read) files.emplace(read.get(), bytesOf(*read));
+  };
+  for (const Species& species : *project.species) add(species.mesh);
+  for (const Collider& collider : *project.colliders) add(collider.mesh);
+  add(project.grass->densityPixels);
+  add(project.grass->heightPixels);
+  add(project.grass->colourPixels);
+  if (project.terrain->heights) {
+    const auto& source = project.terrain->heights->source;
+    files.emplace(source.get(), source->values.capacity() * sizeof(float));
+  }
+  return files;
 }
 
 /// Memory of the parts that `before` (may be null) doesn't share. An entry is always made from the one
@@ -44,15 +80,16 @@ std::size_t partBytes(const Project* before, const Project& project) {
   add(&Project::obstacles);
   add(&Project::terrain);
   add(&Project::grass);
+  add(&Project::species);
+  add(&Project::colliders);
   add(&Project::probes);
   add(&Project::cameras);
   add(&Project::extra);
-  // Edits of the terrain's place share its samples.
-  const auto samplesOf = [](const Project& of) {
-    return of.terrain->heights ? of.terrain->heights->source : std::shared_ptr<const HeightSource>();
-  };
-  const auto samples = samplesOf(project);
-  if (samples && (!before || samplesOf(*before) != samples)) bytes += samples->values.capacity() * sizeof(float);
+  // Edits of a record share what was read from its file.
+  const auto had = before ? filesOf(*before) : std::map<const void*, std::size_t>();
+  for (const auto& [file, size] : filesOf(project)) {
+    if (!had.contains(file)) bytes += size;
+  }
   return bytes;
 }
 

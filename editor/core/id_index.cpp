@@ -12,6 +12,8 @@ IdIndex::IdIndex(const Project& project) : m_project(project) {
   fill(project.graph->points, ObjectKind::Point);
   fill(project.graph->arrows, ObjectKind::Arrow);
   fill(*project.obstacles, ObjectKind::Obstacle);
+  fill(*project.species, ObjectKind::Species);
+  fill(*project.colliders, ObjectKind::Collider);
   fill(*project.probes, ObjectKind::Probe);
   fill(*project.cameras, ObjectKind::Camera);
 }
@@ -36,6 +38,12 @@ const Arrow* IdIndex::arrow(Id id) const {
 }
 const Obstacle* IdIndex::obstacle(Id id) const {
   return record(id, ObjectKind::Obstacle, *m_project.obstacles);
+}
+const Species* IdIndex::species(Id id) const {
+  return record(id, ObjectKind::Species, *m_project.species);
+}
+const Collider* IdIndex::collider(Id id) const {
+  return record(id, ObjectKind::Collider, *m_project.colliders);
 }
 const Probe* IdIndex::probe(Id id) const {
   return record(id, ObjectKind::Probe, *m_project.probes);

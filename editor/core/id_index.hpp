@@ -26,6 +26,8 @@ class IdIndex {
   [[nodiscard]] const Point* point(Id id) const;
   [[nodiscard]] const Arrow* arrow(Id id) const;
   [[nodiscard]] const Obstacle* obstacle(Id id) const;
+  [[nodiscard]] const Species* species(Id id) const;
+  [[nodiscard]] const Collider* collider(Id id) const;
   [[nodiscard]] const Probe* probe(Id id) const;
   [[nodiscard]] const Camera* camera(Id id) const;
 

@@ -42,6 +42,10 @@ struct RecordAccess {
       return project.graph->arrows;
     else if constexpr (std::is_same_v<Owner, Obstacle>)
       return *project.obstacles;
+    else if constexpr (std::is_same_v<Owner, Species>)
+      return *project.species;
+    else if constexpr (std::is_same_v<Owner, Collider>)
+      return *project.colliders;
     else if constexpr (std::is_same_v<Owner, Probe>)
       return *project.probes;
     else
@@ -84,6 +88,10 @@ auto forKind(InspectorKind kind, Work&& work) {
       return work.template operator()<Signal, SignalAccess>();
     case InspectorKind::Obstacle:
       return work.template operator()<Obstacle, RecordAccess<Obstacle>>();
+    case InspectorKind::Species:
+      return work.template operator()<Species, RecordAccess<Species>>();
+    case InspectorKind::Collider:
+      return work.template operator()<Collider, RecordAccess<Collider>>();
     case InspectorKind::Probe:
       return work.template operator()<Probe, RecordAccess<Probe>>();
     case InspectorKind::Camera:
@@ -224,7 +232,8 @@ InspectorSection inspect(const Project& project, const InspectorTarget& target) 
 
 std::vector<InspectorSection> inspectSelection(const Project& project, std::span<const Id> ids) {
   InspectorTarget points{InspectorKind::Point}, arrows{InspectorKind::Arrow}, obstacles{InspectorKind::Obstacle},
-      probes{InspectorKind::Probe}, cameras{InspectorKind::Camera}, signals{InspectorKind::Signal};
+      species{InspectorKind::Species}, colliders{InspectorKind::Collider}, probes{InspectorKind::Probe},
+      cameras{InspectorKind::Camera}, signals{InspectorKind::Signal};
   const IdIndex index(project);
   for (const Id id : ids) {
     const auto place = index.find(id);
@@ -232,6 +241,8 @@ std::vector<InspectorSection> inspectSelection(const Project& project, std::span
     InspectorTarget& target = place->kind == ObjectKind::Point      ? points
                               : place->kind == ObjectKind::Arrow    ? arrows
                               : place->kind == ObjectKind::Obstacle ? obstacles
+                              : place->kind == ObjectKind::Species  ? species
+                              : place->kind == ObjectKind::Collider ? colliders
                               : place->kind == ObjectKind::Probe    ? probes
                                                                     : cameras;
     target.ids.push_back(id);
@@ -249,7 +260,8 @@ std::vector<InspectorSection> inspectSelection(const Project& project, std::span
     for (const Id id : arrows.ids) add(arrivals[index.find(index.arrow(id)->from)->index].root);
   }
   std::vector<InspectorSection> sections;
-  for (const InspectorTarget* target : {&points, &arrows, &signals, &obstacles, &probes, &cameras}) {
+  for (const InspectorTarget* target :
+       {&points, &arrows, &signals, &obstacles, &species, &colliders, &probes, &cameras}) {
     if (!target->ids.empty()) sections.push_back(inspect(project, *target));
   }
   return sections;

@@ -15,7 +15,21 @@
 
 namespace windloom::editor {
 
-enum class InspectorKind { Field, Solver, Ambient, Terrain, Grass, Point, Arrow, Signal, Obstacle, Probe, Camera };
+enum class InspectorKind {
+  Field,
+  Solver,
+  Ambient,
+  Terrain,
+  Grass,
+  Point,
+  Arrow,
+  Signal,
+  Obstacle,
+  Species,
+  Collider,
+  Probe,
+  Camera
+};
 
 /// Whose parameters: a settings part (no ids), or records of one kind (Signal: ids of roots).
 struct InspectorTarget {
@@ -40,7 +54,7 @@ struct InspectorSection {
 };
 
 /// Sections of a selection: points, signals of the selected roots (and of the roots that reach a selected
-/// arrow), arrows, obstacles, probes, cameras; only those that there are.
+/// arrow), arrows, obstacles, species, colliders, probes, cameras; only those that there are.
 std::vector<InspectorSection> inspectSelection(const Project& project, std::span<const Id> ids);
 /// The section of a target; ids that don't exist are left out.
 InspectorSection inspect(const Project& project, const InspectorTarget& target);

@@ -20,6 +20,23 @@ bool isRelevant(const Obstacle& obstacle, std::string_view key) {
   return true;
 }
 
+bool isRelevant(const Species& species, std::string_view key) {
+  const bool mesh = species.shape == PlantShape::Mesh;
+  if (key == "file") return mesh;
+  if (key == "width" || key == "colours/base") return !mesh;
+  return key != "patchSize" || species.patchiness > 0;
+}
+
+bool isRelevant(const Collider& collider, std::string_view key) {
+  const bool mesh = collider.shape == ColliderShape::Mesh;
+  if (key == "file" || key == "scale") return mesh;
+  if (key == "radius") return !mesh;
+  if (key == "length") return collider.shape == ColliderShape::Capsule;
+  if (key == "rotation") return collider.shape != ColliderShape::Sphere;
+  if (key == "loop") return collider.keys.size() > 1;
+  return key != "roll" || (collider.shape == ColliderShape::Sphere && collider.keys.size() > 1);
+}
+
 bool isRelevant(const SolverSettings& solver, std::string_view key) {
   if (key == "sweeps") return solver.pressure == Pressure::Jacobi;
   return (key != "maxCycles" && key != "divergenceTolerance") || solver.pressure == Pressure::Multigrid;
@@ -33,6 +50,10 @@ bool isRelevant(const TerrainSettings& terrain, std::string_view key) {
 
 bool isRelevant(const GrassSettings& grass, std::string_view key) {
   if (grass.kind == GrassKind::None) return key == "kind";
+  // Blades that objects bent swing whatever the others do.
+  const bool inertial = grass.deformation == Deformation::Inertial;
+  if (key == "swing/exponent") return inertial;
+  if (key.starts_with("swing/")) return inertial || grass.interacting > 0;
   return key != "restBlend" || grass.deformation == Deformation::Quadratic;
 }
 

@@ -10,6 +10,8 @@ namespace windloom::editor {
 bool isRelevant(const Arrow& arrow, std::string_view key);
 bool isRelevant(const Signal& signal, std::string_view key);
 bool isRelevant(const Obstacle& obstacle, std::string_view key);
+bool isRelevant(const Species& species, std::string_view key);
+bool isRelevant(const Collider& collider, std::string_view key);
 bool isRelevant(const SolverSettings& solver, std::string_view key);
 bool isRelevant(const TerrainSettings& terrain, std::string_view key);
 bool isRelevant(const GrassSettings& grass, std::string_view key);

@@ -48,6 +48,12 @@ Edit copyEdit(const Project& project, const Project& pieces, glm::vec2 offset, I
     copy.centre += offset;
     edit.steps.emplace_back(Put<Obstacle>{std::move(copy)});
   }
+  for (const Species& species : *pieces.species) edit.steps.emplace_back(Put<Species>{fresh(species)});
+  for (const Collider& collider : *pieces.colliders) {
+    Collider copy = fresh(collider);
+    copy.position += offset;
+    edit.steps.emplace_back(Put<Collider>{std::move(copy)});
+  }
   for (const Probe& probe : *pieces.probes) {
     Probe copy = fresh(probe);
     copy.position += offset;
@@ -78,6 +84,8 @@ Project extract(const Project& project, std::span<const Id> ids) {
   pieces.name = project.name;
   pieces.graph = std::move(graph);
   pieces.obstacles = std::make_shared<std::vector<Obstacle>>(picked(*project.obstacles, chosen));
+  pieces.species = std::make_shared<std::vector<Species>>(picked(*project.species, chosen));
+  pieces.colliders = std::make_shared<std::vector<Collider>>(picked(*project.colliders, chosen));
   pieces.probes = std::make_shared<std::vector<Probe>>(picked(*project.probes, chosen));
   pieces.cameras = std::make_shared<std::vector<Camera>>(picked(*project.cameras, chosen));
   return pieces;
@@ -103,6 +111,8 @@ DuplicateResult insertProjectEdit(const Project& project, const Project& pieces,
   collect(pieces.graph->points);
   collect(pieces.graph->arrows);
   collect(*pieces.obstacles);
+  collect(*pieces.species);
+  collect(*pieces.colliders);
   collect(*pieces.probes);
   collect(*pieces.cameras);
   return result;

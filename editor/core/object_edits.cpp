@@ -67,6 +67,20 @@ void scaleObstacle(Obstacle& obstacle, glm::vec2 scale) {
   }
 }
 
+/// Its shape and its way scaled along the world's axes, then turned.
+void transformCollider(Collider& collider, float degrees, glm::vec2 scale) {
+  const float mean = std::sqrt(scale.x * scale.y), angle = glm::radians(degrees);
+  const float c = std::cos(angle), s = std::sin(angle);
+  collider.radius = clampTo<Collider>("radius", collider.radius * mean);
+  collider.length = clampTo<Collider>("length", collider.length * mean);
+  collider.scale = clampTo<Collider>("scale", collider.scale * mean);
+  collider.rotation = std::remainder(collider.rotation + degrees, 360.0f);
+  for (ColliderKey& key : collider.keys) {
+    const glm::vec2 d = glm::vec2(key.offset.x, key.offset.z) * scale;
+    key.offset = {d.x * c - d.y * s, key.offset.y, d.x * s + d.y * c};
+  }
+}
+
 /// Whether the ids' order in one of the lists would be another one.
 template <class Record>
 bool movesIn(const std::vector<Record>& before, const std::vector<Record>& after) {
@@ -95,6 +109,7 @@ std::vector<Id> movableIds(const Project& project, std::span<const Id> ids) {
       addPoint(arrow->to);
     }
     if (const Obstacle* obstacle = index.obstacle(id); obstacle && !obstacle->locked) add(id);
+    if (const Collider* collider = index.collider(id); collider && !collider->locked) add(id);
     if (const Probe* probe = index.probe(id); probe && !probe->locked) add(id);
   }
   return movable;
@@ -107,6 +122,7 @@ std::optional<glm::vec2> pivotOf(const Project& project, std::span<const Id> ids
   for (const Id id : movable) {
     if (const Point* point = index.point(id)) sum += point->position;
     if (const Obstacle* obstacle = index.obstacle(id)) sum += obstacle->centre;
+    if (const Collider* collider = index.collider(id)) sum += collider->position;
     if (const Probe* probe = index.probe(id)) sum += probe->position;
   }
   if (movable.empty()) return std::nullopt;
@@ -126,6 +142,10 @@ Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pi
     scaleObstacle(obstacle, scale);
     obstacle.centre = placed(obstacle.centre);
     obstacle.rotation = std::remainder(obstacle.rotation + degrees, 360.0f);
+  });
+  putEach(edit, *project.colliders, moved, [&](Collider& collider) {
+    transformCollider(collider, degrees, scale);
+    collider.position = placed(collider.position);
   });
   putEach(edit, *project.probes, moved, [&](Probe& probe) { probe.position = placed(probe.position); });
   return edit;
@@ -165,6 +185,8 @@ Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float fact
     obstacle.size = {clampTo<Obstacle>("size", obstacle.size.x * factor),
                      clampTo<Obstacle>("size", obstacle.size.y * factor)};
   });
+  putEach(edit, *project.colliders, setOf(ids),
+          [&](Collider& collider) { collider.radius = clampTo<Collider>("radius", collider.radius * factor); });
   return edit;
 }
 
@@ -176,6 +198,8 @@ Edit renameEdit(const Project& project, Id id, std::string name) {
   putEach(edit, project.graph->points, one, change);
   putEach(edit, project.graph->arrows, one, change);
   putEach(edit, *project.obstacles, one, change);
+  putEach(edit, *project.species, one, change);
+  putEach(edit, *project.colliders, one, change);
   putEach(edit, *project.probes, one, change);
   putEach(edit, *project.cameras, one, change);
   return edit;
@@ -195,10 +219,25 @@ Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before) {
   const bool changes =
       moved &&
       (movesIn(project.graph->points, moved->graph->points) || movesIn(project.graph->arrows, moved->graph->arrows) ||
-       movesIn(*project.obstacles, *moved->obstacles) || movesIn(*project.probes, *moved->probes) ||
+       movesIn(*project.obstacles, *moved->obstacles) || movesIn(*project.species, *moved->species) ||
+       movesIn(*project.colliders, *moved->colliders) || movesIn(*project.probes, *moved->probes) ||
        movesIn(*project.cameras, *moved->cameras));
   if (!changes) edit.steps.clear();
   return edit;
+}
+
+AddResult addSpeciesEdit(const Project& project, Species species) {
+  AddResult result{named("Add species"), nextFreeId(project)};
+  species.id = result.id;
+  result.edit.steps.emplace_back(Put<Species>{std::move(species)});
+  return result;
+}
+
+AddResult addColliderEdit(const Project& project, Collider collider) {
+  AddResult result{named("Add collider"), nextFreeId(project)};
+  collider.id = result.id;
+  result.edit.steps.emplace_back(Put<Collider>{std::move(collider)});
+  return result;
 }
 
 AddResult addProbeEdit(const Project& project, Probe probe) {

@@ -1,4 +1,5 @@
 // Mute, hide, lock, isolate: the flag edits of object_edits.hpp.
+#include <type_traits>
 #include <unordered_set>
 
 #include "editor/core/id_index.hpp"
@@ -12,6 +13,12 @@ bool* flagOf(Arrow& arrow, Flag flag) {
 }
 bool* flagOf(Obstacle& obstacle, Flag flag) {
   return flag == Flag::Hidden ? &obstacle.hidden : flag == Flag::Muted ? &obstacle.muted : &obstacle.locked;
+}
+bool* flagOf(Species& species, Flag flag) {
+  return flag == Flag::Hidden ? &species.hidden : nullptr;
+}
+bool* flagOf(Collider& collider, Flag flag) {
+  return flag == Flag::Hidden ? &collider.hidden : flag == Flag::Muted ? &collider.muted : &collider.locked;
 }
 bool* flagOf(Probe& probe, Flag flag) {
   return flag == Flag::Hidden ? &probe.hidden : flag == Flag::Locked ? &probe.locked : nullptr;
@@ -35,6 +42,8 @@ Edit setAll(const Project& project, Flag flag, std::string label, Wanted wanted)
   edit.label = std::move(label);
   setWhere(edit, project.graph->arrows, flag, wanted);
   setWhere(edit, *project.obstacles, flag, wanted);
+  setWhere(edit, *project.species, flag, wanted);
+  setWhere(edit, *project.colliders, flag, wanted);
   setWhere(edit, *project.probes, flag, wanted);
   return edit;
 }
@@ -78,6 +87,8 @@ bool allFlagged(const Project& project, std::span<const Id> ids, Flag flag) {
   };
   look(project.graph->arrows);
   look(*project.obstacles);
+  look(*project.species);
+  look(*project.colliders);
   look(*project.probes);
   return any && all;
 }
@@ -88,8 +99,10 @@ Edit clearFlagEdit(const Project& project, Flag flag) {
 
 Edit isolateEdit(const Project& project, std::span<const Id> ids) {
   const std::unordered_set<Id> chosen = carriers(project, ids);
-  return setAll(project, Flag::Hidden, "Isolate",
-                [&](const auto& record, bool) { return !chosen.contains(record.id); });
+  // Species are the meadow, not things in it.
+  return setAll(project, Flag::Hidden, "Isolate", [&]<class Record>(const Record& record, bool now) {
+    return std::is_same_v<Record, Species> ? now : !chosen.contains(record.id);
+  });
 }
 
 }  // namespace windloom::editor

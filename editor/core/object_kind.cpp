@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "editor/core/collider_shape.hpp"
 #include "editor/core/id_index.hpp"
 #include "engine/model/outline.hpp"
 
@@ -27,10 +28,11 @@ bool allArrowsOfPoint(const WindGraph& graph, Id point, bool Arrow::*flag) {
 }
 
 bool flagged(const Project& project, Id id, bool Arrow::*arrowFlag, bool Obstacle::*obstacleFlag,
-             bool Probe::*probeFlag) {
+             bool Collider::*colliderFlag, bool Probe::*probeFlag) {
   if (const Arrow* arrow = findArrow(*project.graph, id)) return arrow->*arrowFlag;
   if (findPoint(*project.graph, id)) return allArrowsOfPoint(*project.graph, id, arrowFlag);
   if (const Obstacle* obstacle = findObstacle(project, id)) return obstacle->*obstacleFlag;
+  if (const Collider* collider = findCollider(project, id)) return collider->*colliderFlag;
   if (const Probe* probe = findProbe(project, id)) return probe->*probeFlag;
   return false;
 }
@@ -53,6 +55,12 @@ void includePoint(std::optional<GroundBounds>& bounds, const IdIndex& index, Id 
 const Obstacle* findObstacle(const Project& project, Id id) {
   return findIn(*project.obstacles, id);
 }
+const Species* findSpecies(const Project& project, Id id) {
+  return findIn(*project.species, id);
+}
+const Collider* findCollider(const Project& project, Id id) {
+  return findIn(*project.colliders, id);
+}
 const Probe* findProbe(const Project& project, Id id) {
   return findIn(*project.probes, id);
 }
@@ -64,6 +72,8 @@ std::optional<ObjectKind> kindOf(const Project& project, Id id) {
   if (findPoint(*project.graph, id)) return ObjectKind::Point;
   if (findArrow(*project.graph, id)) return ObjectKind::Arrow;
   if (findObstacle(project, id)) return ObjectKind::Obstacle;
+  if (findSpecies(project, id)) return ObjectKind::Species;
+  if (findCollider(project, id)) return ObjectKind::Collider;
   if (findProbe(project, id)) return ObjectKind::Probe;
   if (findCamera(project, id)) return ObjectKind::Camera;
   return std::nullopt;
@@ -77,6 +87,10 @@ const char* kindLabel(ObjectKind kind) {
       return "Arrow";
     case ObjectKind::Obstacle:
       return "Obstacle";
+    case ObjectKind::Species:
+      return "Species";
+    case ObjectKind::Collider:
+      return "Collider";
     case ObjectKind::Probe:
       return "Probe";
     case ObjectKind::Camera:
@@ -85,20 +99,30 @@ const char* kindLabel(ObjectKind kind) {
   return "";
 }
 
+std::string countOf(std::size_t count, ObjectKind kind) {
+  std::string word = kindLabel(kind);
+  word[0] = static_cast<char>(word[0] + ('a' - 'A'));
+  const bool same = count == 1 || kind == ObjectKind::Species;
+  return std::to_string(count).append(" ").append(word).append(same ? "" : "s");
+}
+
 std::string nameOf(const Project& project, Id id) {
   if (const Point* point = findPoint(*project.graph, id)) return point->name;
   if (const Arrow* arrow = findArrow(*project.graph, id)) return arrow->name;
   if (const Obstacle* obstacle = findObstacle(project, id)) return obstacle->name;
+  if (const Species* species = findSpecies(project, id)) return species->name;
+  if (const Collider* collider = findCollider(project, id)) return collider->name;
   if (const Probe* probe = findProbe(project, id)) return probe->name;
   if (const Camera* camera = findCamera(project, id)) return camera->name;
   return {};
 }
 
 bool isHidden(const Project& project, Id id) {
-  return flagged(project, id, &Arrow::hidden, &Obstacle::hidden, &Probe::hidden);
+  if (const Species* species = findSpecies(project, id)) return species->hidden;
+  return flagged(project, id, &Arrow::hidden, &Obstacle::hidden, &Collider::hidden, &Probe::hidden);
 }
 bool isLocked(const Project& project, Id id) {
-  return flagged(project, id, &Arrow::locked, &Obstacle::locked, &Probe::locked);
+  return flagged(project, id, &Arrow::locked, &Obstacle::locked, &Collider::locked, &Probe::locked);
 }
 
 std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id> ids) {
@@ -112,6 +136,9 @@ std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id>
       includePoint(bounds, index, arrow->to);
     } else if (const Obstacle* obstacle = index.obstacle(id)) {
       for (const glm::vec2 corner : outlineOf(*obstacle)) include(bounds, corner, corner);
+    } else if (const Collider* collider = index.collider(id)) {
+      const float reach = reachOf(*collider);
+      for (const glm::vec2 place : wayOf(*collider)) include(bounds, place - reach, place + reach);
     } else if (const Probe* probe = index.probe(id)) {
       include(bounds, probe->position, probe->position);
     } else if (const Camera* camera = index.camera(id)) {

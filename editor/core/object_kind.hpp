@@ -9,14 +9,18 @@
 
 namespace windloom::editor {
 
-enum class ObjectKind { Point, Arrow, Obstacle, Probe, Camera };
+enum class ObjectKind { Point, Arrow, Obstacle, Species, Collider, Probe, Camera };
 
 /// Nothing where the project has no such id.
 std::optional<ObjectKind> kindOf(const Project& project, Id id);
 const char* kindLabel(ObjectKind kind);  ///< "Point", "Arrow", ...
+/// "1 arrow", "3 arrows", "2 species"
+std::string countOf(std::size_t count, ObjectKind kind);
 
 /// The record with this id, or null.
 const Obstacle* findObstacle(const Project& project, Id id);
+const Species* findSpecies(const Project& project, Id id);
+const Collider* findCollider(const Project& project, Id id);
 const Probe* findProbe(const Project& project, Id id);
 const Camera* findCamera(const Project& project, Id id);
 
@@ -27,7 +31,8 @@ std::string nameOf(const Project& project, Id id);
 bool isHidden(const Project& project, Id id);
 bool isLocked(const Project& project, Id id);
 
-/// Ground bounds of the ids (arrows: both ends; obstacles: their extent). Nothing for no ids.
+/// Ground bounds of the ids (arrows: both ends; obstacles: their extent; colliders: theirs along their whole way;
+/// species, which have no place, don't count). Nothing for no ids.
 struct GroundBounds {
   glm::vec2 low{0.0f}, high{0.0f};
 };

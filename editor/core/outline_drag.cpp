@@ -56,7 +56,7 @@ class OutlineDrag : public Drag {
 
  private:
   std::optional<Edit> make(const ToolContext& context) {
-    const Obstacle* before = findObstacle(context.document.committed(), m_grip.obstacle);
+    const Obstacle* before = findObstacle(context.document.committed(), m_grip.object);
     const bool corner = m_grip.kind == GripKind::Corner;
     if (!before || (corner && m_grip.index >= static_cast<int>(before->points.size()))) return std::nullopt;
     Obstacle obstacle = *before;

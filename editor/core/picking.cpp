@@ -6,6 +6,7 @@
 #include <tuple>
 #include <unordered_set>
 
+#include "editor/core/collider_shape.hpp"
 #include "editor/core/id_index.hpp"
 #include "editor/core/selection.hpp"
 #include "engine/model/outline.hpp"
@@ -60,8 +61,7 @@ class Picker {
     return best;
   }
 
-  [[nodiscard]] float toOutline(const Obstacle& obstacle) const {
-    const std::vector<glm::vec2> outline = outlineOf(obstacle);
+  [[nodiscard]] float toOutline(const std::vector<glm::vec2>& outline) const {
     float best = std::numeric_limits<float>::infinity();
     for (std::size_t i = 0; i < outline.size(); ++i) {
       best = std::min(best, toLine(outline[i], outline[(i + 1) % outline.size()]).distance);
@@ -69,14 +69,17 @@ class Picker {
     return best;
   }
 
-  [[nodiscard]] bool inside(const Obstacle& obstacle) const { return m_place && isInside(obstacle, *m_place); }
+  template <class Thing>
+  [[nodiscard]] bool inside(const Thing& thing) const {
+    return m_place && isInside(thing, *m_place);
+  }
 
-  /// False where the outline is surely out of reach: saves the outline.
-  [[nodiscard]] bool couldReach(const Obstacle& obstacle, float radiusPx) const {
+  /// False where an outline that reaches so far from its centre is surely away from the pixel: saves the outline.
+  [[nodiscard]] bool couldReach(glm::vec2 centre, float reachM, float radiusPx) const {
     if (!m_place) return true;
-    const float reach = 4.0f * radiusPx * m_view.metresPerPixel(m_ground.lift(obstacle.centre));
+    const float reach = 4.0f * radiusPx * m_view.metresPerPixel(m_ground.lift(centre));
     const float grazing = std::max(0.05f, -m_view.camera().forward().y);  // a pixel covers more ground edge-on
-    return glm::distance(*m_place, obstacle.centre) <= reachOf(obstacle) + reach / grazing;
+    return glm::distance(*m_place, centre) <= reachM + reach / grazing;
   }
 
  private:
@@ -92,18 +95,23 @@ class Picker {
 };
 
 int rank(const Hit& hit) {
-  switch (hit.kind) {
-    case ObjectKind::Point:
-    case ObjectKind::Probe:
-      return 0;
-    case ObjectKind::Arrow:
-      return 1;
-    case ObjectKind::Obstacle:
-      return hit.inside ? 3 : 2;
-    case ObjectKind::Camera:
-      return 4;
+  if (hit.isHandle()) return 0;
+  if (hit.kind == ObjectKind::Arrow) return 1;
+  return hit.inside ? 3 : 2;
+}
+
+/// The outline of an obstacle or collider, or its inside.
+template <class Thing>
+void pickOutline(std::vector<Hit>& hits, const Picker& picker, const Thing& thing, glm::vec2 centre, ObjectKind kind,
+                 float radiusPx) {
+  const bool inside = picker.inside(thing);
+  if (!inside && !picker.couldReach(centre, reachOf(thing), radiusPx)) return;
+  const float distance = picker.toOutline(outlineOf(thing));
+  if (distance <= radiusPx) {
+    hits.push_back({kind, thing.id, distance, false, 0.0f, true});
+  } else if (inside) {
+    hits.push_back({kind, thing.id, 0.0f, true});
   }
-  return 4;
 }
 
 void pickGraph(std::vector<Hit>& hits, const Project& project, const Picker& picker, const PickOptions& options) {
@@ -148,13 +156,17 @@ std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Gro
   if (options.obstacles) {
     for (const Obstacle& obstacle : *project.obstacles) {
       if (obstacle.hidden || obstacle.locked || obstacle.id == options.ignore) continue;
-      const bool inside = picker.inside(obstacle);
-      if (!inside && !picker.couldReach(obstacle, options.radiusPx)) continue;
-      const float distance = picker.toOutline(obstacle);
+      pickOutline(hits, picker, obstacle, obstacle.centre, ObjectKind::Obstacle, options.radiusPx);
+    }
+  }
+  if (options.colliders) {
+    for (const Collider& collider : *project.colliders) {
+      if (collider.hidden || collider.locked || collider.id == options.ignore) continue;
+      const float distance = picker.toPlace(collider.position);
       if (distance <= options.radiusPx) {
-        hits.push_back({ObjectKind::Obstacle, obstacle.id, distance});
-      } else if (inside) {
-        hits.push_back({ObjectKind::Obstacle, obstacle.id, 0.0f, true});
+        hits.push_back({ObjectKind::Collider, collider.id, distance});
+      } else {
+        pickOutline(hits, picker, collider, collider.position, ObjectKind::Collider, options.radiusPx);
       }
     }
   }
@@ -186,10 +198,12 @@ std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const G
     const Point* point = index.point(arrow ? arrow->from : id);
     const Point* end = arrow ? index.point(arrow->to) : nullptr;
     const Obstacle* obstacle = index.obstacle(id);
+    const Collider* collider = index.collider(id);
     const Probe* probe = index.probe(id);
     const bool inside = arrow      ? point && end && within(point->position) && within(end->position)
                         : point    ? within(point->position)
                         : obstacle ? within(obstacle->centre)
+                        : collider ? within(collider->position)
                                    : probe && within(probe->position);
     if (inside) found.push_back(id);
   }

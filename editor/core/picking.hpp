@@ -14,26 +14,33 @@ inline constexpr float kHitRadiusPx = 10.0f;
 struct Hit {
   ObjectKind kind = ObjectKind::Point;
   Id id = 0;
-  float distancePx = 0;  ///< from the pointer to the handle; 0 inside an obstacle
-  bool inside = false;   ///< inside an obstacle's outline, not near it: comes after every other hit
+  float distancePx = 0;  ///< from the pointer to the handle; 0 inside an outline
+  bool inside = false;   ///< inside an obstacle's or collider's outline, not near it: comes after every other hit
   float along = 0;       ///< arrows: place between start (0) and end (1)
+  bool edge = false;     ///< at the outline of an obstacle or collider
+
+  /// A point, a probe or a collider's middle, which lie on top of lines and outlines.
+  [[nodiscard]] bool isHandle() const {
+    return kind == ObjectKind::Point || kind == ObjectKind::Probe || (kind == ObjectKind::Collider && !inside && !edge);
+  }
 };
 
 struct PickOptions {
   float radiusPx = kHitRadiusPx;  ///< times the interface scale
-  bool points = true, arrows = true, obstacles = true, probes = true;
+  bool points = true, arrows = true, obstacles = true, colliders = true, probes = true;
   Id ignore = 0;  ///< never hit (the point being dragged)
 };
 
-/// All hits: points and probes first, then arrows, then obstacles' outlines, then their insides; within a
-/// kind the nearest first, then the lower id. Hidden and locked things are not hit.
+/// All hits: points, probes and middles of colliders first, then arrows, then outlines of obstacles and colliders, then
+/// their insides; within a kind the nearest first, then the lower id. Hidden and locked things are not hit.
 std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 pixel,
                       const PickOptions& options = {});
 
 /// The hit after `current` in the list (cycling), the first where `current` isn't in it; 0 for no hits.
 Id cycleHit(const std::vector<Hit>& hits, Id current);
 
-/// Everything with its handle (points, probes, obstacle centres; arrows with both ends) inside the rectangle.
+/// Everything with its handle (points, probes, middles of obstacles and colliders; arrows with both ends) inside the
+/// rectangle.
 std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 cornerA,
                         glm::vec2 cornerB);
 

@@ -35,6 +35,9 @@ std::string listDifference(const Signal& before, const Signal& after) {
 std::string listDifference(const Obstacle& before, const Obstacle& after) {
   return before.points == after.points ? "" : "corners";
 }
+std::string listDifference(const Collider& before, const Collider& after) {
+  return before.keys == after.keys ? "" : "way";
+}
 template <class T>
 std::string listDifference(const T&, const T&) {
   return {};
@@ -62,9 +65,15 @@ void compareSettings(Lines& lines, const char* label, const Shared<T>& before, c
   if (!changed.empty()) lines.push_back(std::string(label).append(" changed: ").append(changed));
 }
 
+/// What makes a noun several.
+const char* plural(std::string_view noun) {
+  return noun.ends_with("pecies") ? " " : "s ";
+}
+
 void count(Lines& lines, std::size_t number, const char* noun, const char* what) {
   if (number == 0) return;
-  lines.push_back(std::to_string(number).append(" ").append(noun).append(number == 1 ? " " : "s ").append(what));
+  lines.push_back(
+      std::to_string(number).append(" ").append(noun).append(number == 1 ? " " : plural(noun)).append(what));
 }
 
 /// The ids of `records` that `others` has, too.
@@ -111,7 +120,8 @@ void compareRecords(Lines& lines, const char* label, const std::vector<T>& befor
   } else {
     lines.insert(lines.end(), changed.begin(), changed.end());
   }
-  if (sharedIds(before, after) != sharedIds(after, before)) lines.push_back(std::string(label) + "s in another order");
+  if (sharedIds(before, after) != sharedIds(after, before))
+    lines.push_back(std::string(label) + plural(label) + "in another order");
 }
 
 }  // namespace
@@ -128,6 +138,8 @@ Lines describeChanges(const Project& before, const Project& after) {
   compareRecords(lines, "Obstacle", *before.obstacles, *after.obstacles);
   compareSettings(lines, "Terrain", before.terrain, after.terrain);
   compareSettings(lines, "Grass", before.grass, after.grass);
+  compareRecords(lines, "Species", *before.species, *after.species);
+  compareRecords(lines, "Collider", *before.colliders, *after.colliders);
   compareRecords(lines, "Probe", *before.probes, *after.probes);
   compareRecords(lines, "Camera", *before.cameras, *after.cameras);
   return lines;

@@ -15,6 +15,7 @@ namespace {
 glm::vec2 handlePlace(const Project& project, const Hit& hit, glm::vec2 pressed) {
   if (const Point* point = findPoint(*project.graph, hit.id)) return point->position;
   if (const Obstacle* obstacle = findObstacle(project, hit.id)) return obstacle->centre;
+  if (const Collider* collider = findCollider(project, hit.id)) return collider->position;
   if (const Probe* probe = findProbe(project, hit.id)) return probe->position;
   return pressed;
 }
@@ -22,7 +23,7 @@ glm::vec2 handlePlace(const Project& project, const Hit& hit, glm::vec2 pressed)
 }  // namespace
 
 bool insertPointAt(ToolContext& context, glm::vec2 pixel, std::string& message) {
-  const std::vector<Hit> hits = context.hits(pixel, {.obstacles = false, .probes = false});
+  const std::vector<Hit> hits = context.hits(pixel, {.obstacles = false, .colliders = false, .probes = false});
   // A point right under the pointer is meant itself.
   if (hits.empty() || hits.front().kind != ObjectKind::Arrow) return false;
   const InsertResult inserted = insertPointEdit(context.document.committed(), hits.front().id, hits.front().along);
@@ -129,7 +130,8 @@ std::unique_ptr<Drag> SelectTool::transform(ToolContext& context, const PointerE
 }
 
 std::unique_ptr<Drag> SelectTool::dragGrip(ToolContext& context, const PointerEvent& press, const Grip& grip) {
-  if (grip.obstacle != 0) return makeOutlineDrag(grip);
+  if (grip.object != 0)
+    return findCollider(context.document.committed(), grip.object) ? makeColliderDrag(grip) : makeOutlineDrag(grip);
   const auto place = context.groundAt(press.pixel);
   const auto pivot = pivotOf(context.document.committed(), context.selection.ids());
   if (!place || !pivot) return nullptr;
@@ -148,12 +150,12 @@ void SelectTool::onHover(ToolContext& context, const PointerEvent& pointer) {
 bool SelectTool::onKey(ToolContext& context, const KeyPress& press) {
   if (press.modifiers.any() || (press.key != Key::Delete && press.key != Key::X)) return false;
   const std::optional<Grip> corner = m_hot && m_hot->kind == GripKind::Corner ? m_hot : m_corner;
-  if (!corner || context.selection.active() != corner->obstacle) return false;
+  if (!corner || context.selection.active() != corner->object) return false;
   // Undo may have changed the corners since: only the one that was meant goes.
   const std::vector<Grip> grips = gripsOf(context, m_kind);
   const auto same = std::ranges::find(grips, *corner);
   if (same == grips.end() || same->place != corner->place) return false;
-  const Edit edit = removeCornerEdit(context.document.committed(), corner->obstacle, corner->index);
+  const Edit edit = removeCornerEdit(context.document.committed(), corner->object, corner->index);
   if (edit.steps.empty()) return false;
   m_hot.reset();
   m_corner.reset();
@@ -179,10 +181,9 @@ std::unique_ptr<Drag> SelectTool::beginDrag(ToolContext& context, const PointerE
   }
   // Of several things at one place the selected one is meant, but with the select tool no handle hides behind a line
   // or an outline.
-  const auto isHandle = [](const Hit& hit) { return hit.kind == ObjectKind::Point || hit.kind == ObjectKind::Probe; };
   const auto selected = std::find_if(hits.begin(), hits.end(), [&](const Hit& hit) {
     return context.selection.contains(hit.id) &&
-           (m_kind != SelectKind::Select || isHandle(hit) || !isHandle(hits.front()));
+           (m_kind != SelectKind::Select || hit.isHandle() || !hits.front().isHandle());
   });
   const Hit grabbed = selected != hits.end() ? *selected : hits.front();
   if (selected == hits.end()) {

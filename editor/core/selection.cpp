@@ -87,6 +87,7 @@ std::vector<Id> selectableIds(const Project& project) {
   };
   append(project.graph->arrows);
   append(*project.obstacles);
+  append(*project.colliders);
   append(*project.probes);
   return ids;
 }
@@ -130,8 +131,8 @@ std::vector<Id> linkedIds(const Project& project, std::span<const Id> ids) {
 }
 
 std::string describeIds(const Project& project, std::span<const Id> ids) {
-  constexpr ObjectKind kinds[] = {ObjectKind::Point, ObjectKind::Arrow, ObjectKind::Obstacle, ObjectKind::Probe,
-                                  ObjectKind::Camera};
+  constexpr ObjectKind kinds[] = {ObjectKind::Point,    ObjectKind::Arrow, ObjectKind::Obstacle, ObjectKind::Species,
+                                  ObjectKind::Collider, ObjectKind::Probe, ObjectKind::Camera};
   if (ids.empty()) return {};
   if (ids.size() == 1) {
     const auto kind = kindOf(project, ids[0]);
@@ -147,9 +148,7 @@ std::string describeIds(const Project& project, std::span<const Id> ids) {
   std::string text;
   for (std::size_t i = 0; i < std::size(kinds); ++i) {
     if (counts[i] == 0) continue;
-    std::string word = kindLabel(kinds[i]);
-    word[0] = static_cast<char>(word[0] + ('a' - 'A'));
-    text += (text.empty() ? "" : ", ") + std::to_string(counts[i]) + " " + word + (counts[i] == 1 ? "" : "s");
+    text += (text.empty() ? "" : ", ") + countOf(counts[i], kinds[i]);
   }
   return text;
 }

@@ -12,6 +12,7 @@ Workspace::Workspace() {
   flow.onDone = [this](const std::string& text) { say(MessageKind::Info, text); };
   flow.onReplaced = [this] {
     terrainLoad.cancel();
+    assetLoad.cancel();
     followGround();
     selection.clear();
     strokes.clear();
@@ -112,6 +113,7 @@ void Workspace::focusLost() {
 
 void Workspace::tick(double seconds, Modifiers held) {
   takeTerrain();
+  takeAsset();
   followGround();
   m_seconds += seconds;
   navigator.tick(camera, seconds, held);
@@ -140,13 +142,49 @@ void Workspace::takeTerrain() {
     return;
   }
   const std::filesystem::path file = (**loaded)->file;
-  const std::string name = file.filename().string();
-  std::error_code ignored;
-  if (!std::filesystem::exists(document.path().parent_path() / file, ignored)) {
-    say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+  if (!isStillBeside(file)) return;
+  if (apply(terrainEdit(document.committed(), **loaded)))
+    say(MessageKind::Info, "The ground is " + file.filename().string());
+}
+
+bool Workspace::mayLoadAsset() {
+  if (!document.path().empty()) return true;
+  say(MessageKind::Warning, "Save the project first: its files lie beside it");
+  return false;
+}
+
+bool Workspace::loadAsset(AssetTarget target, const std::filesystem::path& file) {
+  if (!mayLoadAsset()) return false;
+  assetLoad.start(std::move(target), file, document.path());
+  return true;
+}
+
+void Workspace::takeAsset() {
+  if (tools.dragging()) return;
+  const auto loaded = assetLoad.poll();
+  if (!loaded) return;
+  if (!*loaded) {
+    if (flow.onFailure) flow.onFailure(loaded->error());
     return;
   }
-  if (apply(terrainEdit(document.committed(), **loaded))) say(MessageKind::Info, "The ground is " + name);
+  const std::filesystem::path file = (*loaded)->file();
+  if (!isStillBeside(file)) return;
+  const AddResult result = assetEdit(document.committed(), **loaded);
+  if (result.edit.steps.empty()) {
+    say(MessageKind::Warning, "What " + file.filename().string() + " was chosen for is gone");
+  } else if (apply(result.edit)) {
+    if (result.id != 0) selection.replace(result.id);
+    say(MessageKind::Info, "Read " + file.filename().string());
+  }
+}
+
+/// A file that was brought into the project's folder; told where the project has gone elsewhere since.
+bool Workspace::isStillBeside(const std::filesystem::path& file) {
+  std::error_code ignored;
+  if (std::filesystem::exists(document.path().parent_path() / file, ignored)) return true;
+  const std::string name = file.filename().string();
+  say(MessageKind::Warning, "The project was saved into another folder meanwhile: choose " + name + " again");
+  return false;
 }
 
 void Workspace::followGround() {

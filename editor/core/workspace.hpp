@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "editor/core/actions.hpp"
+#include "editor/core/asset_load.hpp"
 #include "editor/core/camera_control.hpp"
 #include "editor/core/document.hpp"
 #include "editor/core/document_flow.hpp"
@@ -43,6 +44,7 @@ class Workspace {
   Preferences preferences;
   Ground ground;  ///< follows the document's terrain and the height of its grass
   TerrainLoad terrainLoad;
+  AssetLoad assetLoad;
   glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
 
   /// The system's clipboard; the app sets both. Without them copy and paste stay inside the editor.
@@ -60,7 +62,7 @@ class Workspace {
   bool keyPressed(const KeyPress& press);
   void keyReleased(Key key);
   void focusLost();
-  /// Once a frame: flying, the terrain that was read meanwhile, and the clock that the brush measures speeds by.
+  /// Once a frame: flying, the files that were read meanwhile, and the clock that the brush measures speeds by.
   void tick(double seconds, Modifiers held);
 
   /// The one way panels change the project: applies, tells refusals in the status line. True where applied.
@@ -70,6 +72,9 @@ class Workspace {
   /// as it was. False where the project has to be saved first, which is told.
   bool loadTerrain(const std::filesystem::path& file);
   bool mayLoadTerrain();
+  /// The same for the file of a species, a collider or a map of the grass, see assetEdit. A new record is selected.
+  bool loadAsset(AssetTarget target, const std::filesystem::path& file);
+  bool mayLoadAsset();
   void undo();
   void redo();
   void jumpTo(std::size_t historyEntry);
@@ -97,6 +102,8 @@ class Workspace {
 
  private:
   void takeTerrain();
+  void takeAsset();
+  bool isStillBeside(const std::filesystem::path& file);
   void followGround();
   void keepEyeAboveGround();
   void takeToolMessage();
@@ -110,9 +117,13 @@ class Workspace {
   Id m_lookedThrough = 0;
 };
 
-/// Adds file, edit, select, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
+/// A place on the ground in the middle of the view, beside the colliders that stand there.
+glm::vec2 freePlace(Workspace& workspace, float reachM);
+
+/// Adds file, edit, select, add, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
 /// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
-/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked; graph.extrude
+/// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked;
+/// add.collider add.tall_grass add.daisies add.poppies add.spikes; graph.extrude
 /// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
 /// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.brush tool.probe tool.delete

@@ -1,13 +1,16 @@
 #include "editor/panels/inspector_panel.hpp"
 
+#include <algorithm>
 #include <iterator>
 #include <optional>
 
 #include "editor/core/inspector.hpp"
 #include "editor/core/object_kind.hpp"
+#include "editor/panels/grass_panel.hpp"
 #include "editor/panels/tool_options.hpp"
 #include "editor/widgets/look.hpp"
 #include "editor/widgets/parameter_row.hpp"
+#include "engine/core/text.hpp"
 #include "engine/wind/solver_presets.hpp"
 
 namespace windloom::editor {
@@ -34,6 +37,10 @@ const char* kindName(InspectorKind kind) {
       return "signal";
     case InspectorKind::Obstacle:
       return "obstacle";
+    case InspectorKind::Species:
+      return "species";
+    case InspectorKind::Collider:
+      return "collider";
     case InspectorKind::Probe:
       return "probe";
     case InspectorKind::Camera:
@@ -69,25 +76,75 @@ std::string_view strengthUnit(const InspectorSection& section) {
   return "";
 }
 
-void drawSection(PanelContext& context, const InspectorSection& section) {
+/// Where the section's things may have a file.
+std::optional<AssetTarget> assetTargetOf(const InspectorSection& section) {
+  if (section.target.kind == InspectorKind::Species) return AssetTarget{AssetUse::Species, section.target.ids};
+  if (section.target.kind == InspectorKind::Collider) return AssetTarget{AssetUse::Collider, section.target.ids};
+  return std::nullopt;
+}
+
+bool asksForMesh(const InspectorRow& row, const RowChange& change) {
+  if (row.info.key != "shape" || change.kind != RowChange::Kind::Value) return false;
+  return row.info.choices[static_cast<std::size_t>(std::get<int>(change.value))] == "mesh";
+}
+
+/// Whether the shape mesh has to wait for a file, which is then read or chosen. Each thing may have one from before.
+bool waitsForFile(PanelContext& context, const AssetTarget& target, AssetChooser& assets) {
+  Workspace& workspace = context.workspace;
+  const Project& project = workspace.document.committed();
+  const auto ready = [&](Id id) {
+    const AssetTarget one{target.use, {id}};
+    return !assetFileOf(project, one).empty() && isAssetRead(project, one);
+  };
+  if (std::ranges::all_of(target.ids, ready)) return false;
+  const std::string file = assetFileOf(project, target);
+  if (target.ids.size() == 1 && !file.empty()) {
+    workspace.loadAsset(target, workspace.document.path().parent_path() / file);
+  } else {
+    assets.browse(workspace, target);
+  }
+  return true;
+}
+
+/// How far and how long it moves; the keys themselves come with the project file.
+void drawWay(const Project& project, const InspectorSection& section) {
+  const Collider* collider = section.target.ids.size() == 1 ? findCollider(project, section.target.ids[0]) : nullptr;
+  if (!collider || collider->keys.empty()) return;
+  const double seconds = static_cast<double>(collider->keys.back().time - collider->keys.front().time);
+  ImGui::TextDisabled("Moves along %zu keys in %s s", collider->keys.size(), fixed(seconds, 2).c_str());
+}
+
+void drawSection(PanelContext& context, const InspectorSection& section, AssetChooser& assets) {
   const std::string prefix = std::string("inspector/") + kindName(section.target.kind);
+  const std::optional<AssetTarget> asset = assetTargetOf(section);
   if (!beginRows(prefix.c_str())) return;
   for (InspectorRow row : section.rows) {
     if (row.info.key == "id") continue;  // the title says it
     if (row.info.key == "strength") row.info.unit = strengthUnit(section);
-    if (const auto change = parameterRow(row, prefix)) apply(context, section, row, *change);
+    // Shapes of plants and colliders differ in most of what they have.
+    if (asset && !row.relevant) continue;
+    if (asset && row.info.key == "file") {
+      assets.drawRow(context, row, prefix, *asset);
+      continue;
+    }
+    const auto change = parameterRow(row, prefix);
+    if (!change) continue;
+    if (asset && asksForMesh(row, *change) && waitsForFile(context, *asset, assets)) continue;
+    apply(context, section, row, *change);
   }
   endRows();
+  if (section.target.kind == InspectorKind::Collider) drawWay(context.project(), section);
 }
 
-void drawSelection(PanelContext& context) {
+void drawSelection(PanelContext& context, AssetChooser& assets) {
   const auto ids = context.workspace.selection.ids();
   if (ids.empty()) {
     ImGui::Spacing();
     ImGui::TextDisabled("Nothing is selected.");
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled(
-        "Click an arrow, a point or an obstacle; Shift adds, Ctrl toggles, dragging on empty ground selects a box.");
+        "Click an arrow, a point, an obstacle or a collider; Shift adds, Ctrl toggles, dragging on empty ground "
+        "selects a box.");
     ImGui::PopTextWrapPos();
     return;
   }
@@ -95,7 +152,7 @@ void drawSelection(PanelContext& context) {
     ImGui::PushFont(look().strong);
     const bool open = ImGui::CollapsingHeader(section.title.c_str(), ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopFont();
-    if (open) drawSection(context, section);
+    if (open) drawSection(context, section, assets);
   }
 }
 
@@ -118,15 +175,14 @@ void drawSolverPresets(PanelContext& context) {
   ImGui::Separator();
 }
 
-void drawSettings(PanelContext& context, InspectorKind kind, TerrainPanel& terrain) {
-  if (kind == InspectorKind::Terrain) {
-    terrain.draw(context, [&](const InspectorSection& section, const InspectorRow& row, const RowChange& change) {
-      apply(context, section, row, change);
-    });
-    return;
-  }
+void drawSettings(PanelContext& context, InspectorKind kind, TerrainPanel& terrain, AssetChooser& assets) {
+  const auto take = [&](const InspectorSection& section, const InspectorRow& row, const RowChange& change) {
+    apply(context, section, row, change);
+  };
+  if (kind == InspectorKind::Terrain) return terrain.draw(context, take);
+  if (kind == InspectorKind::Grass) return drawGrass(context, assets, take);
   if (kind == InspectorKind::Solver) drawSolverPresets(context);
-  drawSection(context, inspect(context.project(), {kind, {}}));
+  drawSection(context, inspect(context.project(), {kind, {}}), assets);
 }
 
 struct Tab {
@@ -172,12 +228,13 @@ void InspectorPanel::draw(PanelContext& context, ExportPanel& exporter) {
   ImGui::BeginChild(kTabs[m_tab].label);
   if (m_tab == kSelectionTab) {
     drawToolOptions(context);
-    drawSelection(context);
+    drawSelection(context, m_assets);
   } else if (m_tab == kExportTab)
     exporter.draw(context);
   else
-    drawSettings(context, *kTabs[m_tab].settings, m_terrain);
+    drawSettings(context, *kTabs[m_tab].settings, m_terrain, m_assets);
   ImGui::EndChild();
+  m_assets.draw(context.workspace);
 }
 
 }  // namespace windloom::editor

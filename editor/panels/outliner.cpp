@@ -40,8 +40,35 @@ const char* symbolOf(ObstacleShape shape) {
   return icons::icon(icons::kPolygon, "<>");
 }
 
+const char* symbolOf(PlantShape shape) {
+  switch (shape) {
+    case PlantShape::Blade:
+      return icons::icon(icons::kLeaf, "|");
+    case PlantShape::Daisy:
+    case PlantShape::Poppy:
+    case PlantShape::Spike:
+      return icons::icon(icons::kPlant, "*");
+    case PlantShape::Mesh:
+      break;
+  }
+  return icons::icon(icons::kMesh, "[]");
+}
+
+const char* symbolOf(ColliderShape shape) {
+  switch (shape) {
+    case ColliderShape::Sphere:
+      return icons::icon(icons::kBall, "o");
+    case ColliderShape::Capsule:
+      return icons::icon(icons::kCapsule, "=");
+    case ColliderShape::Mesh:
+      break;
+  }
+  return icons::icon(icons::kMesh, "[]");
+}
+
 // Groups of rows that no point's id can be.
-constexpr Id kTrees = 0xfffffff1u, kObstacles = 0xfffffff2u, kProbes = 0xfffffff3u;
+constexpr Id kTrees = 0xfffffff1u, kObstacles = 0xfffffff2u, kProbes = 0xfffffff3u, kSpecies = 0xfffffff4u,
+             kColliders = 0xfffffff5u;
 
 /// Roots in the order of the list of points: that is what dragging changes.
 std::vector<Id> rootsInOrder(const WindGraph& graph) {
@@ -56,21 +83,33 @@ std::vector<Id> rootsInOrder(const WindGraph& graph) {
 
 template <class Thing>
 Outliner::Row Outliner::itemRow(const Thing& thing, const char* kind, const char* symbol) {
-  return {.kind = Row::Kind::Item,
+  Row row{.kind = Row::Kind::Item,
           .id = thing.id,
           .depth = 0,
           .symbol = symbol,
           .label = named(thing.name, kind, thing.id),
           .name = thing.name,
           .hidden = thing.hidden,
-          .locked = thing.locked,
-          .members = {thing.id}};
+          .canMute = requires {thing.muted;
+}
+, .canLock = requires {
+  thing.locked;
+}
+, .members = { thing.id }
+};  // namespace windloom::editor
+if constexpr (requires { thing.muted; }) row.muted = thing.muted;
+if constexpr (requires { thing.locked; }) row.locked = thing.locked;
+return row;
 }
 
 bool Outliner::takeChanges(const Project& project) {
-  if (project.graph == m_graph && project.obstacles == m_obstacles && project.probes == m_probes) return false;
+  if (project.graph == m_graph && project.obstacles == m_obstacles && project.species == m_species &&
+      project.colliders == m_colliders && project.probes == m_probes)
+    return false;
   m_graph = project.graph;
   m_obstacles = project.obstacles;
+  m_species = project.species;
+  m_colliders = project.colliders;
   m_probes = project.probes;
   return true;
 }
@@ -116,7 +155,6 @@ void Outliner::addTrees(const Project& project) {
       if (m_closed.contains(root)) continue;
       Row row = itemRow(arrow, "Arrow", icons::icon(icons::kArrow, "->"));
       row.depth = depth;
-      row.muted = arrow.muted;
       row.tree = root;
       row.group = arrow.from;
       m_rows.push_back(std::move(row));
@@ -125,25 +163,25 @@ void Outliner::addTrees(const Project& project) {
   }
 }
 
+template <class Thing, class SymbolOf>
+void Outliner::addGroup(const std::vector<Thing>& things, const char* heading, const char* kind, Id group,
+                        SymbolOf&& symbol) {
+  if (!things.empty()) m_rows.push_back({.kind = Row::Kind::Heading, .label = heading});
+  for (const Thing& thing : things) {
+    m_rows.push_back(itemRow(thing, kind, symbol(thing)));
+    m_rows.back().group = group;
+  }
+}
+
 void Outliner::rebuild(const Project& project) {
   m_rows.clear();
-  const auto heading = [&](const char* label) { m_rows.push_back({.kind = Row::Kind::Heading, .label = label}); };
-  heading("Wind trees");
+  m_rows.push_back({.kind = Row::Kind::Heading, .label = "Wind trees"});
   addTrees(project);
-  if (!project.obstacles->empty()) heading("Obstacles");
-  for (const Obstacle& o : *project.obstacles) {
-    Row row = itemRow(o, "Obstacle", symbolOf(o.shape));
-    row.muted = o.muted;
-    row.group = kObstacles;
-    m_rows.push_back(std::move(row));
-  }
-  if (!project.probes->empty()) heading("Probes");
-  for (const Probe& p : *project.probes) {
-    Row row = itemRow(p, "Probe", icons::icon(icons::kProbe, "+"));
-    row.canMute = false;
-    row.group = kProbes;
-    m_rows.push_back(std::move(row));
-  }
+  const auto byShape = [](const auto& thing) { return symbolOf(thing.shape); };
+  addGroup(*project.obstacles, "Obstacles", "Obstacle", kObstacles, byShape);
+  addGroup(*project.species, "Species", "Species", kSpecies, byShape);
+  addGroup(*project.colliders, "Colliders", "Collider", kColliders, byShape);
+  addGroup(*project.probes, "Probes", "Probe", kProbes, [](const Probe&) { return icons::icon(icons::kProbe, "+"); });
 }
 
 void Outliner::click(PanelContext& context, const Row& row) {
@@ -193,13 +231,14 @@ void Outliner::drawFlags(PanelContext& context, const Row& row) {
   };
   const Entry entries[] = {
       {Flag::Hidden, row.hidden, kEyeOff, kEye, "-", "v", "Show or hide"},
-      {Flag::Muted, row.muted, kSpeakerOff, kSpeaker, "-", "m", "Mute: it blows no wind and stops none"},
+      {Flag::Muted, row.muted, kSpeakerOff, kSpeaker, "-", "m",
+       "Mute: it blows no wind, stops none and bends no grass"},
       {Flag::Locked, row.locked, kLock, kUnlock, "L", "u", "Lock: it can't be picked in the view"},
   };
   const float side = ImGui::GetFrameHeight();
   for (const Entry& entry : entries) {
     ImGui::SameLine(0, 0);
-    if (entry.flag == Flag::Muted && !row.canMute) {
+    if ((entry.flag == Flag::Muted && !row.canMute) || (entry.flag == Flag::Locked && !row.canLock)) {
       ImGui::Dummy({side, 1});
       continue;
     }

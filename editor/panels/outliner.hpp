@@ -1,7 +1,7 @@
 #pragma once
-// Everything in the project by name: wind trees with their arrows, obstacles, probes. Eye shows and hides, speaker
-// mutes, lock keeps from picking; double click or F2 renames; dragging changes the order of trees, of arrows that leave
-// the same point, of obstacles and probes.
+// Everything in the project by name: wind trees with their arrows, obstacles, species, colliders, probes. Eye shows and
+// hides, speaker mutes, lock keeps from picking; double click or F2 renames; dragging changes the order of trees, of
+// arrows that leave the same point, of obstacles, species, colliders and probes.
 
 #include <optional>
 #include <set>
@@ -30,15 +30,18 @@ class Outliner {
     int depth = 0;
     const char* symbol = "";
     std::string label = {}, name = {};
-    bool hidden = false, muted = false, locked = false, canMute = true;
+    bool hidden = false, muted = false, locked = false, canMute = true, canLock = true;
     std::vector<Id> members = {};  ///< what the flags act on; Tree: its arrows
   };
   bool takeChanges(const Project& project);
   void rebuild(const Project& project);
-  /// A row for an arrow, obstacle or probe.
+  /// A row for an arrow, obstacle, species, collider or probe.
   template <class Thing>
   static Row itemRow(const Thing& thing, const char* kind, const char* symbol);
   void addTrees(const Project& project);
+  /// All of a list under a heading; `symbol` gives a thing's icon.
+  template <class Thing, class SymbolOf>
+  void addGroup(const std::vector<Thing>& things, const char* heading, const char* kind, Id group, SymbolOf&& symbol);
   void drawRow(PanelContext& context, const Row& row);
   void drawName(PanelContext& context, const Row& row, float width);
   void drawFlags(PanelContext& context, const Row& row);
@@ -58,6 +61,8 @@ class Outliner {
   std::set<Id> m_closed;  // trees shown without their arrows
   Shared<WindGraph> m_graph;
   Shared<std::vector<Obstacle>> m_obstacles;
+  Shared<std::vector<Species>> m_species;
+  Shared<std::vector<Collider>> m_colliders;
   Shared<std::vector<Probe>> m_probes;
   Id m_renaming = 0;
   bool m_focusName = false;

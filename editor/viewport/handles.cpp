@@ -7,6 +7,7 @@
 #include <unordered_map>
 #include <unordered_set>
 
+#include "editor/core/collider_shape.hpp"
 #include "editor/core/object_kind.hpp"
 #include "editor/widgets/look.hpp"
 #include "engine/model/outline.hpp"
@@ -66,8 +67,8 @@ class GroundBrush {
   void shaft(glm::vec2 a, glm::vec2 b, ImU32 colour, float width) const {
     constexpr int kPieces = 16;
     for (int i = 0; i < kPieces; ++i) {
-      line(m_ground.lift(glm::mix(a, b, float(i) / kPieces)), m_ground.lift(glm::mix(a, b, float(i + 1) / kPieces)), colour,
-           width);
+      line(m_ground.lift(glm::mix(a, b, float(i) / kPieces)), m_ground.lift(glm::mix(a, b, float(i + 1) / kPieces)),
+           colour, width);
     }
   }
 
@@ -89,9 +90,11 @@ class GroundBrush {
                              {neck.x - side.x * head * 0.45f, neck.y - side.y * head * 0.45f}, colour);
   }
 
-  void outline(const Obstacle& o, ImU32 colour, float width) const {
-    const std::vector<glm::vec2> corners = outlineOf(o);
-    for (std::size_t i = 0; i < corners.size(); ++i) shaft(corners[i], corners[(i + 1) % corners.size()], colour, width);
+  template <class Thing>
+  void outline(const Thing& thing, ImU32 colour, float width) const {
+    const std::vector<glm::vec2> corners = outlineOf(thing);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+      shaft(corners[i], corners[(i + 1) % corners.size()], colour, width);
   }
 
   ImDrawList& list() const { return m_list; }
@@ -201,6 +204,42 @@ void drawObstacles(const GroundBrush& brush, const Project& project, const Marks
   }
 }
 
+/// Where it goes, at the height of its middle; a dot for each key.
+void drawWay(const GroundBrush& brush, const Collider& collider) {
+  const ImU32 colour = packed(look().palette.accent, 0.8f);
+  std::optional<glm::vec3> before;
+  for (const ColliderKey& key : collider.keys) {
+    const glm::vec2 place = collider.position + glm::vec2(key.offset.x, key.offset.z);
+    const glm::vec3 here = brush.ground().lift(place) + glm::vec3(0.0f, collider.lift + key.offset.y, 0.0f);
+    if (before) brush.line(*before, here, colour, scaled(1.5f));
+    if (const auto at = brush.screen(here); at && brush.inside(*at))
+      brush.list().AddCircleFilled(*at, scaled(2.5f), colour);
+    before = here;
+  }
+}
+
+void drawColliders(const GroundBrush& brush, const Project& project, const Marks& marks, bool withOutlines) {
+  const Palette& palette = look().palette;
+  for (const Collider& collider : *project.colliders) {
+    const auto at = collider.hidden ? std::nullopt : brush.screen(collider.position);
+    if (!at) continue;
+    const bool selected = marks.selected(collider.id), hovered = marks.hovered == collider.id;
+    const ImVec4 plain{0.78f, 0.82f, 1.0f, 0.95f};
+    if (selected) drawWay(brush, collider);
+    if (withOutlines || selected || hovered)
+      brush.outline(collider, packed(selected ? palette.accent : plain), scaled(2));
+    if (!brush.inside(*at)) continue;
+    const float half = scaled(selected || hovered ? 5.0f : 4.0f), edge = half + scaled(2);
+    const auto diamond = [&](float r, ImU32 colour) {
+      brush.list().AddQuadFilled({at->x, at->y - r}, {at->x + r, at->y}, {at->x, at->y + r}, {at->x - r, at->y},
+                                 colour);
+    };
+    diamond(edge, IM_COL32(10, 12, 14, 190));
+    diamond(half, packed(selected || hovered ? palette.accent : plain, collider.muted ? 0.5f : 1.0f));
+    name(brush, "collider:" + std::to_string(collider.id), *at);
+  }
+}
+
 void drawProbes(const GroundBrush& brush, const Project& project, const Marks& marks) {
   const Palette& palette = look().palette;
   for (const Probe& probe : *project.probes) {
@@ -274,6 +313,7 @@ void drawHandles(const ViewArea& area, const Workspace& workspace, bool withArro
   drawObstacles(brush, project, marks, withArrows);
   drawArrows(brush, *project.graph, marks, withArrows);
   drawPoints(brush, project, marks);
+  drawColliders(brush, project, marks, withArrows);
   drawProbes(brush, project, marks);
 }
 

@@ -82,7 +82,8 @@ void Viewport::drawOver(Workspace& workspace, bool hasScene) {
   drawPreview(m_area, workspace, workspace.tools.shapes(workspace.context()));
   // Only over an empty field: anything drawn may lie under the hint, with its handles.
   const Project& project = workspace.document.project();
-  const bool empty = project.graph->points.empty() && project.obstacles->empty() && project.probes->empty();
+  const bool empty = project.graph->points.empty() && project.obstacles->empty() && project.colliders->empty() &&
+                     project.probes->empty();
   if (empty && !workspace.tools.busy()) firstTreeHint(m_area);
 }
 

@@ -46,10 +46,14 @@ inline constexpr const char* kInfo = "\xef\x81\x9a";         // f05a info-circle
 inline constexpr const char* kError = "\xef\x81\x97";        // f057 times-circle
 inline constexpr const char* kPoint = "\xef\x86\x92";        // f192 dot-circle-o
 inline constexpr const char* kLoop = "\xef\x81\xb9";         // f079 retweet
-inline constexpr const char* kBox = "\xef\x83\x88";         // f0c8 square
-inline constexpr const char* kPolygon = "\xef\x88\x99";     // f219 diamond
-inline constexpr const char* kVortex = "\xef\x87\x8e";      // f1ce circle-o-notch
-inline constexpr const char* kBrush = "\xef\x87\xbc";       // f1fc paint-brush
+inline constexpr const char* kBox = "\xef\x83\x88";          // f0c8 square
+inline constexpr const char* kPolygon = "\xef\x88\x99";      // f219 diamond
+inline constexpr const char* kVortex = "\xef\x87\x8e";       // f1ce circle-o-notch
+inline constexpr const char* kBall = "\xef\x87\xa3";         // f1e3 futbol-o
+inline constexpr const char* kCapsule = "\xef\x88\x84";      // f204 toggle-off
+inline constexpr const char* kMesh = "\xef\x86\xb2";         // f1b2 cube
+inline constexpr const char* kPlant = "\xef\x86\x8c";        // f18c pagelines
+inline constexpr const char* kBrush = "\xef\x87\xbc";        // f1fc paint-brush
 
 /// `symbol`, or `text` where the icon font is missing.
 inline const char* icon(const char* symbol, const char* text) {

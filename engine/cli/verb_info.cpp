@@ -132,6 +132,8 @@ void printInfoJson(const Options& options, const Project& project, const std::ve
                       {"signals", project.graph->signals.size()},
                       {"roots", roots.size()},
                       {"obstacles", project.obstacles->size()},
+                      {"species", project.species->size()},
+                      {"colliders", project.colliders->size()},
                       {"probes", project.probes->size()},
                       {"cameras", project.cameras->size()},
                       {"cells", sizes.cells},
@@ -190,7 +192,8 @@ void printInfoText(const Options& options, const Project& project, const std::ve
     std::printf("extent     x %s to %s m, z %s to %s m\n", metres(extent.min.x).c_str(), metres(extent.max.x).c_str(),
                 metres(extent.min.y).c_str(), metres(extent.max.y).c_str());
   }
-  std::printf("others     %zu obstacles, %zu probes, %zu cameras\n", project.obstacles->size(), project.probes->size(),
+  std::printf("others     %zu obstacles, %zu species, %zu colliders, %zu probes, %zu cameras\n",
+              project.obstacles->size(), project.species->size(), project.colliders->size(), project.probes->size(),
               project.cameras->size());
   std::printf("ambient    %s m/s towards %s deg\n", metres(project.ambient->speed).c_str(),
               metres(project.ambient->direction).c_str());

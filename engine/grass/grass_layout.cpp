@@ -16,13 +16,13 @@ constexpr float kBladesPerTile = 1024.0f;
 constexpr float kMinTileM = 1.0f, kMaxTileM = 8.0f;
 
 // Blades narrower than this on screen are thinned and widened instead, at full detail. With four samples a
-// pixel one pixel neither shimmers nor shows its widening.
-constexpr float kLeastPixels = 1.0f;
+// pixel such blades neither shimmer nor show their widening.
+constexpr float kLeastPixels = 1.35f;
 constexpr float kMostWidening = 5.0f;
 // Blades lower than this many pixels are left to the ground's shading.
 constexpr float kFadePixels = 2.2f;
 // Layers of blades along a ray beyond which more of them aren't seen.
-constexpr float kLayers = 12.0f;
+constexpr float kLayers = 6.0f;
 constexpr float kContourLift = 0.05f;  // as in grass_tiles.glsl
 
 float cosineOf(float degrees) {

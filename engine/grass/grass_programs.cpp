@@ -10,9 +10,13 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/scan groups", {"grass/scan_groups.comp"}},
     {"grass/list chunks", {"grass/list_chunks.comp"}},
     {"grass/place blades", {"grass/place_blades.comp"}},
+    {"grass/virtual blades", {"grass/virtual_blades.comp"}},
+    {"grass/step patches", {"grass/step_patches.comp"}},
     {"grass/blade near", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=6"},
     {"grass/blade middle", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=3"},
     {"grass/blade far", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=1"},
+    {"grass/place plants", {"grass/place_plants.comp"}},
+    {"grass/plant", {"grass/plant.vert", "grass/plant.frag"}},
 };
 
 }  // namespace

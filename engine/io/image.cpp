@@ -102,19 +102,18 @@ std::vector<png_bytep> rowPointers(BasicImage<Sample>& image) {
 }
 
 template <class Sample>
-Result<BasicImage<Sample>> readAs(const fs::path& path) {
+Result<BasicImage<Sample>> decodeAs(std::span<const unsigned char> bytes, const std::string& file,
+                                    const std::string& pointer) {
   const auto refuse = [&](const std::string& message) {
-    return makeError(ErrorKind::BadInput, path.string(), {}, message);
+    return makeError(ErrorKind::BadInput, file, pointer, message);
   };
-  Result<std::string> bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  Source source{reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()};
+  Source source{bytes.data(), bytes.size()};
   if (source.left < 8 || png_sig_cmp(source.bytes, 0, 8) != 0) return refuse("is not a PNG file");
   Trouble trouble;
   Reader reader;
   reader.png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &trouble, onError, onWarning);
   reader.info = reader.png != nullptr ? png_create_info_struct(reader.png) : nullptr;
-  if (reader.info == nullptr) return makeError(ErrorKind::Machine, path.string(), {}, "out of memory");
+  if (reader.info == nullptr) return makeError(ErrorKind::Machine, file, pointer, "out of memory");
   Layout layout;
   if (!readHeader(reader, trouble, source, static_cast<int>(sizeof(Sample)) * 8, layout)) {
     return refuse(std::string("is a damaged PNG file: ") + trouble.message);
@@ -126,12 +125,19 @@ Result<BasicImage<Sample>> readAs(const fs::path& path) {
   }
   // Deflate can't shrink more than about 1032 times and the smallest pixel has one bit: a short file
   // that claims to be huge is refused before its memory is taken.
-  if (pixels / 8 > static_cast<std::int64_t>(bytes->size()) * 1100)
+  if (pixels / 8 > static_cast<std::int64_t>(bytes.size()) * 1100)
     return refuse("is a damaged PNG file: it is cut short");
   BasicImage<Sample> image(static_cast<int>(layout.width), static_cast<int>(layout.height), layout.channels);
   std::vector<png_bytep> rows = rowPointers(image);
   if (!readRows(reader, trouble, rows.data())) return refuse(std::string("is a damaged PNG file: ") + trouble.message);
   return image;
+}
+
+template <class Sample>
+Result<BasicImage<Sample>> readAs(const fs::path& path) {
+  const Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes.error();
+  return decodeAs<Sample>({reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()}, path.string(), {});
 }
 
 struct Writer {
@@ -187,6 +193,9 @@ Result<Image> readPng(const fs::path& path) {
 }
 Result<Image16> readPng16(const fs::path& path) {
   return readAs<std::uint16_t>(path);
+}
+Result<Image> decodePng(std::span<const unsigned char> bytes, const std::string& file, const std::string& pointer) {
+  return decodeAs<std::uint8_t>(bytes, file, pointer);
 }
 Status writePng(const fs::path& path, const Image& image) {
   return writeAs(path, image);

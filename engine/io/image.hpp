@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "engine/core/result.hpp"
@@ -46,6 +48,8 @@ inline constexpr std::int64_t kMaxImagePixels = 1 << 27;  ///< 512 MB of 8-bit R
 /// limits above.
 Result<Image> readPng(const std::filesystem::path& path);
 Result<Image16> readPng16(const std::filesystem::path& path);
+/// The same for a PNG file within another one; `file` and `pointer` say where, for messages.
+Result<Image> decodePng(std::span<const unsigned char> bytes, const std::string& file, const std::string& pointer);
 
 /// Writes atomically. `image` must have 1, 3 or 4 channels, be within the limits and hold all its
 /// samples (a contract). Fails with Machine.

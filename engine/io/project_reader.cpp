@@ -1,13 +1,13 @@
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 #include "engine/core/file.hpp"
+#include "engine/io/assets.hpp"
 #include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/project_migration.hpp"
 #include "engine/io/project_records.hpp"
+#include "engine/io/project_values.hpp"
 #include "engine/io/terrain_file.hpp"
 #include "engine/model/outline.hpp"
 #include "engine/model/parameters.hpp"
@@ -32,58 +32,6 @@ struct Place {
   [[nodiscard]] Place at(std::string_view member) const { return {this, member, 0}; }
   [[nodiscard]] Place at(std::size_t element) const { return {this, {}, element}; }
 };
-
-std::optional<int> wholeNumber(const JsonDocument& value) {
-  if (!value.is_number()) return std::nullopt;
-  const double number = value.get<double>();
-  constexpr double kLimit = std::numeric_limits<int>::max();
-  if (!(std::abs(number) <= kLimit) || number != std::floor(number)) return std::nullopt;
-  return static_cast<int>(number);
-}
-
-bool isNumberArray(const JsonDocument& value, std::size_t size) {
-  return value.is_array() && value.size() == size &&
-         std::ranges::all_of(value, [](const JsonDocument& v) { return v.is_number(); });
-}
-
-/// The value if it has the parameter's type; its range is checked by parameterProblem.
-std::optional<ParameterValue> valueOfType(const ParameterInfo& info, const JsonDocument& value) {
-  switch (info.type) {
-    case ParameterType::Real:
-      if (value.is_number()) return value.get<float>();
-      break;
-    case ParameterType::Integer:
-    case ParameterType::Id:
-      if (const auto number = wholeNumber(value)) return *number;
-      break;
-    case ParameterType::Switch:
-      if (value.is_boolean()) return value.get<bool>();
-      break;
-    case ParameterType::Choice:
-      if (value.is_string()) {
-        const auto found = std::ranges::find(info.choices, value.get_ref<const std::string&>());
-        if (found != info.choices.end()) return static_cast<int>(found - info.choices.begin());
-      }
-      break;
-    case ParameterType::Real2:
-      if (isNumberArray(value, 2)) return glm::vec2(value[0].get<float>(), value[1].get<float>());
-      break;
-    case ParameterType::Real3:
-      if (isNumberArray(value, 3))
-        return glm::vec3(value[0].get<float>(), value[1].get<float>(), value[2].get<float>());
-      break;
-    case ParameterType::Integer2:
-      if (isNumberArray(value, 2)) {
-        const auto x = wholeNumber(value[0]), y = wholeNumber(value[1]);
-        if (x && y) return glm::ivec2(*x, *y);
-      }
-      break;
-    case ParameterType::Text:
-      if (value.is_string()) return value.get<std::string>();
-      break;
-  }
-  return std::nullopt;
-}
 
 class Reader {
  public:
@@ -110,12 +58,14 @@ class Reader {
         readPart(project.terrain, value, place);
       } else if (key == "grass") {
         readPart(project.grass, value, place);
+      } else if (key == "species") {
+        project.species = std::make_shared<std::vector<Species>>(readList<Species>(value, place, kMaxSpecies));
+      } else if (key == "colliders") {
+        project.colliders = std::make_shared<std::vector<Collider>>(readList<Collider>(value, place, kMaxColliders));
       } else if (key == "probes") {
         project.probes = std::make_shared<std::vector<Probe>>(readList<Probe>(value, place, kMaxProbes));
       } else if (key == "cameras") {
         project.cameras = std::make_shared<std::vector<Camera>>(readList<Camera>(value, place, kMaxCameras));
-      } else if (key == kCollidersKey) {
-        extra[key] = value;
       } else {
         keep(extra, key, value, place);
       }
@@ -207,38 +157,58 @@ class Reader {
   Record readRecord(const JsonDocument& value, const Place& place) {
     Record record;
     if (!expectObject(value, place)) return record;
-    constexpr bool isSignal = std::is_same_v<Record, Signal>, isObstacle = std::is_same_v<Record, Obstacle>;
-    record.extra = textOf(readMembers(value, record, place, {}, isSignal ? "keys" : isObstacle ? "points" : ""));
+    record.extra = textOf(readMembers(value, record, place, {}, kListKey<Record>));
     for (const std::string_view key : kRequiredKeys<Record>) {
       if (value.contains(key)) continue;
       const auto table = parametersOf<Record>();
       const auto parameter = std::ranges::find(table, key, [](const Parameter<Record>& p) { return p.info.key; });
       problem(place.at(key), "is missing, expected " + parameterExpectation(parameter->info));
     }
-    if constexpr (isSignal) {
-      if (const auto keys = value.find("keys"); keys != value.end()) record.keys = readKeys(*keys, place.at("keys"));
-    }
-    if constexpr (isObstacle) {
-      if (const auto points = value.find("points"); points != value.end())
-        record.points = readCorners(*points, place.at("points"));
+    if constexpr (!kListKey<Record>.empty()) {
+      if (const auto list = value.find(kListKey<Record>); list != value.end())
+        readInto(record, *list, place.at(kListKey<Record>));
     }
     return record;
   }
 
-  std::vector<SignalKey> readKeys(const JsonDocument& value, const Place& place) {
-    std::vector<SignalKey> keys;
-    if (!value.is_array() || value.size() > kMaxSignalKeys) {
-      problem(place, "found " + describeJson(value) + ", expected an array of at most " +
-                         std::to_string(kMaxSignalKeys) + " keys [time, value] or [time, value, easing]");
+  void readInto(Signal& signal, const JsonDocument& value, const Place& place) {
+    signal.keys = readKeys<SignalKey>(value, place, kMaxSignalKeys, "[time, value] or [time, value, easing]",
+                                      [&](const JsonDocument& key, const Place& at) { return readSignalKey(key, at); });
+  }
+  void readInto(Collider& collider, const JsonDocument& value, const Place& place) {
+    collider.keys =
+        readKeys<ColliderKey>(value, place, kMaxColliderKeys, "[time, x, height, z]",
+                              [&](const JsonDocument& key, const Place& at) { return readColliderKey(key, at); });
+  }
+  void readInto(Obstacle& obstacle, const JsonDocument& value, const Place& place) {
+    obstacle.points = readCorners(value, place);
+  }
+
+  template <class Key, class ReadKey>
+  std::vector<Key> readKeys(const JsonDocument& value, const Place& place, std::size_t limit, const char* form,
+                            ReadKey&& read) {
+    std::vector<Key> keys;
+    if (!value.is_array() || value.size() > limit) {
+      problem(place, "found " + describeJson(value) + ", expected an array of at most " + std::to_string(limit) +
+                         " keys " + form);
       return keys;
     }
     for (std::size_t i = 0; i < value.size(); ++i) {
-      if (const auto key = readKey(value[i], place.at(i))) keys.push_back(*key);
+      if (auto key = read(value[i], place.at(i))) keys.push_back(*key);
     }
     return keys;
   }
 
-  std::optional<SignalKey> readKey(const JsonDocument& value, const Place& place) {
+  std::optional<ColliderKey> readColliderKey(const JsonDocument& value, const Place& place) {
+    if (isNumberArray(value, 4)) {
+      const auto part = [&](std::size_t i) { return value[i].get<float>(); };
+      return ColliderKey{part(0), {part(1), part(2), part(3)}};
+    }
+    problem(place, "found " + describeJson(value) + ", expected four numbers [time, x, height, z]");
+    return std::nullopt;
+  }
+
+  std::optional<SignalKey> readSignalKey(const JsonDocument& value, const Place& place) {
     const bool shaped =
         value.is_array() && (value.size() == 2 || value.size() == 3) && value[0].is_number() && value[1].is_number();
     if (!shaped) {
@@ -340,10 +310,14 @@ void addSemanticProblems(const Project& project, std::vector<Problem>& problems)
   for (Problem& problem : validate(project)) {
     if (problems.size() >= kMaxProblems) break;
     if (std::ranges::binary_search(known, problem.pointer)) continue;
-    // Corners that couldn't be read make the outline look wrong, too.
-    const std::string corner = problem.pointer + "/";
-    const auto below = std::ranges::lower_bound(known, corner);
-    if (problem.pointer.ends_with("/points") && below != known.end() && below->starts_with(corner)) continue;
+    // Corners or keys that couldn't be read make the others look wrong, too.
+    const auto blames = [&](const std::string& list) {
+      const auto below = std::ranges::lower_bound(known, list);
+      return below != known.end() && below->starts_with(list);
+    };
+    if (problem.pointer.ends_with("/points") && blames(problem.pointer + "/")) continue;
+    const std::size_t keys = problem.pointer.find("/keys/");
+    if (keys != std::string::npos && blames(problem.pointer.substr(0, keys + 6))) continue;
     const bool depends = problem.pointer.starts_with("/graph/arrows") || problem.pointer.starts_with("/graph/signals");
     if (pointsBroken && depends) continue;
     problems.push_back(std::move(problem));
@@ -380,6 +354,9 @@ Result<LoadedProject> loadProject(const std::filesystem::path& path) {
   Result<LoadedProject> loaded = parseProject(*text, path.string());
   if (!loaded) return loaded;
   if (Status terrain = loadTerrain(loaded->project, path); !terrain) loaded->missing = terrain.error().problems;
+  if (Status assets = loadAssets(loaded->project, path); !assets) {
+    for (Problem& problem : Error(assets.error()).problems) loaded->missing.push_back(std::move(problem));
+  }
   return loaded;
 }
 

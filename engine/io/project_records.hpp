@@ -9,12 +9,20 @@
 
 namespace windloom {
 
-/// Top-level keys in the order of the file. "colliders" is reserved: it has no meaning yet, is kept
-/// verbatim and is not reported as unknown.
-inline constexpr std::array<std::string_view, 13> kProjectKeys{"format",    "version", "name",      "field",   "solver",
-                                                               "ambient",   "graph",   "obstacles", "terrain", "grass",
-                                                               "colliders", "probes",  "cameras"};
-inline constexpr std::string_view kCollidersKey = "colliders";
+/// Top-level keys in the order of the file.
+inline constexpr std::array<std::string_view, 14> kProjectKeys{"format",  "version",   "name",      "field",   "solver",
+                                                               "ambient", "graph",     "obstacles", "terrain", "grass",
+                                                               "species", "colliders", "probes",    "cameras"};
+
+/// The member of a record that is a list and so in no parameter table; empty: none.
+template <class Record>
+inline constexpr std::string_view kListKey = "";
+template <>
+inline constexpr std::string_view kListKey<Signal> = "keys";
+template <>
+inline constexpr std::string_view kListKey<Obstacle> = "points";
+template <>
+inline constexpr std::string_view kListKey<Collider> = "keys";
 
 /// Keys that a record must have: who it is and where.
 template <class Record>
@@ -27,6 +35,10 @@ template <>
 inline constexpr std::array<std::string_view, 1> kRequiredKeys<Signal>{"root"};
 template <>
 inline constexpr std::array<std::string_view, 2> kRequiredKeys<Obstacle>{"id", "centre"};
+template <>
+inline constexpr std::array<std::string_view, 1> kRequiredKeys<Species>{"id"};
+template <>
+inline constexpr std::array<std::string_view, 1> kRequiredKeys<Collider>{"id"};
 template <>
 inline constexpr std::array<std::string_view, 2> kRequiredKeys<Probe>{"id", "position"};
 template <>

@@ -126,6 +126,23 @@ Schema obstacleSchema() {
   return schema;
 }
 
+Schema colliderSchema() {
+  Schema schema = ownerSchema<Collider>();
+  const double reach = static_cast<double>(kMaxColliderOffsetM);
+  const Schema offset = numberSchema("number", -reach, reach);
+  const Schema key{
+      {"type", "array"},
+      {"prefixItems", {numberSchema("number", 0, static_cast<double>(kMaxColliderKeyTimeS)), offset, offset, offset}},
+      {"minItems", 4},
+      {"maxItems", 4}};
+  schema["properties"]["keys"] = {
+      {"type", "array"},
+      {"items", key},
+      {"maxItems", kMaxColliderKeys},
+      {"description", "Keys [time in s, x, height, z]: how far it is from its place then, in m; times ascending."}};
+  return schema;
+}
+
 Schema listOf(Schema item, std::size_t limit) {
   return {{"type", "array"}, {"items", std::move(item)}, {"maxItems", limit}};
 }
@@ -184,7 +201,8 @@ std::string projectSchemaJson() {
   properties["obstacles"] = listOf(obstacleSchema(), kMaxObstacles);
   properties["terrain"] = ownerSchema<TerrainSettings>();
   properties["grass"] = ownerSchema<GrassSettings>();
-  properties[std::string(kCollidersKey)] = {{"description", "Reserved: kept as it is, without effect."}};
+  properties["species"] = listOf(ownerSchema<Species>(), kMaxSpecies);
+  properties["colliders"] = listOf(colliderSchema(), kMaxColliders);
   properties["probes"] = listOf(ownerSchema<Probe>(), kMaxProbes);
   properties["cameras"] = listOf(ownerSchema<Camera>(), kMaxCameras);
   const Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
@@ -202,9 +220,7 @@ std::string parametersMarkdown() {
       "Every value of a project file (NAME.wind.json), in the order of the file. Made by `windloom docs docs` from "
       "the\n"
       "tables in engine/model/parameters.cpp. A `/` in a key stands for an object in an object; ranges hold for each\n"
-      "component. Missing keys take their default; unknown keys are kept and reported. `colliders` at the top level "
-      "is\n"
-      "reserved: it is kept as it is, without a report and without effect.\n";
+      "component. Missing keys take their default; unknown keys are kept and reported.\n";
   appendTable<FieldSettings>(text, "Field", "/field");
   appendTable<SolverSettings>(text, "Solver", "/solver");
   appendTable<AmbientWind>(text, "Ambient wind", "/ambient");
@@ -220,6 +236,11 @@ std::string parametersMarkdown() {
           "along its own axes, in order around; sides don't cross; polygon. |\n";
   appendTable<TerrainSettings>(text, "Terrain", "/terrain");
   appendTable<GrassSettings>(text, "Grass", "/grass");
+  appendTable<Species>(text, "Species", "/species/N");
+  appendTable<Collider>(text, "Collider", "/colliders/N");
+  const std::string reach = shortest(kMaxColliderOffsetM);
+  text += "| keys |  |  | [0 to " + shortest(kMaxColliderKeyTimeS) + " s, three of -" + reach + " to " + reach +
+          " m] |  | Time, and how far it is from its place then: x, height over the ground, z. Times ascend. |\n";
   appendTable<Probe>(text, "Probe", "/probes/N");
   appendTable<Camera>(text, "Camera", "/cameras/N");
   return text;

@@ -78,6 +78,28 @@ std::string joined(const Members& members) {
   return members.empty() ? "{}" : text.append("}");
 }
 
+// The list of a record that is in no parameter table, see kListKey.
+std::vector<std::string> listParts(const Signal& signal) {
+  std::vector<std::string> keys;
+  for (const SignalKey& k : signal.keys) {
+    std::vector<std::string> parts{number(k.time), number(k.value)};
+    if (k.easing != Easing::Linear) parts.push_back(jsonText(kEasings[static_cast<std::size_t>(k.easing)]));
+    keys.push_back(arrayOf(parts));
+  }
+  return keys;
+}
+std::vector<std::string> listParts(const Obstacle& obstacle) {
+  std::vector<std::string> points;
+  for (const glm::vec2 p : obstacle.points) points.push_back(arrayOf({number(p.x), number(p.y)}));
+  return points;
+}
+std::vector<std::string> listParts(const Collider& collider) {
+  std::vector<std::string> keys;
+  for (const ColliderKey& k : collider.keys)
+    keys.push_back(arrayOf({number(k.time), number(k.offset.x), number(k.offset.y), number(k.offset.z)}));
+  return keys;
+}
+
 /// The parameters for which `wanted` is true, nested ones as one member with an object, then the unknown keys.
 template <class Owner, class Wanted>
 Members membersOf(const Owner& owner, Wanted&& wanted) {
@@ -96,32 +118,19 @@ Members membersOf(const Owner& owner, Wanted&& wanted) {
     const std::string_view group = key.substr(0, slash);
     Members inner;
     for (; i < table.size() && table[i].info.key.starts_with(key.substr(0, slash + 1)); ++i) {
-      inner.push_back(member(table[i].info.key.substr(slash + 1), valueText(table[i].info, table[i].get(owner))));
+      const ParameterValue value = table[i].get(owner);
+      if (!wanted(table[i], value)) continue;
+      inner.push_back(member(table[i].info.key.substr(slash + 1), valueText(table[i].info, value)));
     }
     if (const auto unknown = extra.find(group); unknown != extra.end()) {
       for (const auto& [name, value] : unknown->items()) inner.push_back(member(name, spaced(value)));
       extra.erase(unknown);
     }
-    members.push_back(member(group, joined(inner)));
+    if (!inner.empty()) members.push_back(member(group, joined(inner)));
   }
-  if constexpr (std::is_same_v<Owner, Signal>) {
-    if (!owner.keys.empty()) {
-      std::string keys;
-      for (const SignalKey& k : owner.keys) {
-        std::vector<std::string> parts{number(k.time), number(k.value)};
-        if (k.easing != Easing::Linear) parts.push_back(jsonText(kEasings[static_cast<std::size_t>(k.easing)]));
-        keys.append(keys.empty() ? "[" : ", ").append(arrayOf(parts));
-      }
-      members.push_back(member("keys", keys.append("]")));
-    }
-  }
-  if constexpr (std::is_same_v<Owner, Obstacle>) {
-    if (!owner.points.empty()) {
-      std::string points;
-      for (const glm::vec2 p : owner.points)
-        points.append(points.empty() ? "[" : ", ").append(arrayOf({number(p.x), number(p.y)}));
-      members.push_back(member("points", points.append("]")));
-    }
+  if constexpr (!kListKey<Owner>.empty()) {
+    if (const std::vector<std::string> parts = listParts(owner); !parts.empty())
+      members.push_back(member(kListKey<Owner>, arrayOf(parts)));
   }
   for (const auto& [name, value] : extra.items()) members.push_back(member(name, spaced(value)));
   return members;
@@ -150,6 +159,21 @@ std::vector<std::string_view> tellingKeys(const Obstacle& obstacle) {
       break;
   }
   return {"id", "shape", "centre"};
+}
+std::vector<std::string_view> tellingKeys(const Species& species) {
+  if (species.shape == PlantShape::Mesh) return {"id", "shape", "file", "weight", "height"};
+  return {"id", "shape", "weight", "height"};
+}
+std::vector<std::string_view> tellingKeys(const Collider& collider) {
+  switch (collider.shape) {
+    case ColliderShape::Sphere:
+      return {"id", "shape", "position", "radius"};
+    case ColliderShape::Capsule:
+      return {"id", "shape", "position", "radius", "length"};
+    case ColliderShape::Mesh:
+      break;
+  }
+  return {"id", "shape", "position", "file"};
 }
 std::vector<std::string_view> tellingKeys(const Signal& signal) {
   switch (signal.kind) {
@@ -189,10 +213,11 @@ template <class Part>
 std::string partText(std::string_view key, const Part& part) {
   static const Part kDefault{};
   const Members members = membersOf(part, [](const Parameter<Part>& parameter, const ParameterValue& value) {
-    // Most of the terrain's values mean nothing to most projects.
-    if constexpr (!std::is_same_v<Part, TerrainSettings>) return true;
     const std::string_view name = parameter.info.key;
-    return name == "kind" || name == "colour" || value != parameter.get(kDefault);
+    const bool changed = value != parameter.get(kDefault);
+    // Most of the terrain's values, and maps, mean nothing to most projects.
+    if constexpr (std::is_same_v<Part, TerrainSettings>) return changed || name == "kind" || name == "colour";
+    return changed || parameter.info.type != ParameterType::Text;
   });
   const std::string start = "  " + jsonText(key) + ": {";
   std::string text = "{";
@@ -224,7 +249,7 @@ std::string graphText(const WindGraph& graph) {
 }  // namespace
 
 std::string writeProject(const Project& project) {
-  JsonDocument extra = parseExtra(*project.extra);
+  const JsonDocument extra = parseExtra(*project.extra);
   Members members{member("format", jsonText(kProjectFormat)), member("version", std::to_string(kProjectVersion)),
                   member("name", jsonText(project.name))};
   members.push_back(member("field", partText("field", *project.field)));
@@ -234,10 +259,8 @@ std::string writeProject(const Project& project) {
   members.push_back(member("obstacles", listText(*project.obstacles, "  ")));
   members.push_back(member("terrain", partText("terrain", *project.terrain)));
   members.push_back(member("grass", partText("grass", *project.grass)));
-  if (const auto colliders = extra.find(kCollidersKey); colliders != extra.end()) {
-    members.push_back(member(kCollidersKey, spaced(*colliders)));
-    extra.erase(colliders);
-  }
+  members.push_back(member("species", listText(*project.species, "  ")));
+  members.push_back(member("colliders", listText(*project.colliders, "  ")));
   members.push_back(member("probes", listText(*project.probes, "  ")));
   members.push_back(member("cameras", listText(*project.cameras, "  ")));
   for (const auto& [name, value] : extra.items()) members.push_back(member(name, spaced(value)));

@@ -66,6 +66,12 @@ class Draft {
   std::unordered_map<Id, std::size_t> m_added;  // of those put since
 };
 
+/// Null where it was read from another file than the one that is named now.
+template <class Read>
+void keepInStep(std::shared_ptr<const Read>& read, const std::string& file) {
+  if (read && read->file != file) read.reset();
+}
+
 /// A project under edit. A part is copied when a step first touches it; the others stay shared.
 class Editing {
  public:
@@ -75,6 +81,8 @@ class Editing {
   void operator()(const Put<Arrow>& step) { list(m_arrows, m_project.graph->arrows).put(step.record); }
   void operator()(const Put<Signal>& step) { list(m_signals, m_project.graph->signals).put(step.record); }
   void operator()(const Put<Obstacle>& step) { list(m_obstacles, *m_project.obstacles).put(step.record); }
+  void operator()(const Put<Species>& step) { list(m_species, *m_project.species).put(inStep(step.record)); }
+  void operator()(const Put<Collider>& step) { list(m_colliders, *m_project.colliders).put(inStep(step.record)); }
   void operator()(const Put<Probe>& step) { list(m_probes, *m_project.probes).put(step.record); }
   void operator()(const Put<Camera>& step) { list(m_cameras, *m_project.cameras).put(step.record); }
   void operator()(const SetName& step) { m_project.name = step.name; }
@@ -86,7 +94,13 @@ class Editing {
     terrain.heights = placedHeights(terrain);
     set(m_project.terrain, terrain);
   }
-  void operator()(const Set<GrassSettings>& step) { set(m_project.grass, step.part); }
+  void operator()(const Set<GrassSettings>& step) {
+    GrassSettings grass = step.part;
+    keepInStep(grass.densityPixels, grass.densityMap);
+    keepInStep(grass.heightPixels, grass.heightMap);
+    keepInStep(grass.colourPixels, grass.colourMap);
+    set(m_project.grass, grass);
+  }
 
   void operator()(const EraseSignal& step) {
     erase(m_signals, m_project.graph->signals, [&](const Signal& signal) { return signal.root == step.root; });
@@ -100,6 +114,8 @@ class Editing {
           [&](const Arrow& a) { return ids.contains(a.id) || ids.contains(a.from) || ids.contains(a.to); });
     erase(m_signals, m_project.graph->signals, [&](const Signal& signal) { return ids.contains(signal.root); });
     erase(m_obstacles, *m_project.obstacles, named);
+    erase(m_species, *m_project.species, named);
+    erase(m_colliders, *m_project.colliders, named);
     erase(m_probes, *m_project.probes, named);
     erase(m_cameras, *m_project.cameras, named);
   }
@@ -116,6 +132,8 @@ class Editing {
     move(m_points, m_project.graph->points);
     move(m_arrows, m_project.graph->arrows);
     move(m_obstacles, *m_project.obstacles);
+    move(m_species, *m_project.species);
+    move(m_colliders, *m_project.colliders);
     move(m_probes, *m_project.probes);
     move(m_cameras, *m_project.cameras);
   }
@@ -130,6 +148,8 @@ class Editing {
       m_project.graph = std::move(graph);
     }
     share(m_obstacles, m_project.obstacles);
+    share(m_species, m_project.species);
+    share(m_colliders, m_project.colliders);
     share(m_probes, m_project.probes);
     share(m_cameras, m_project.cameras);
     return std::move(m_project);
@@ -139,6 +159,11 @@ class Editing {
   template <class Record>
   using List = std::optional<Draft<Record>>;
 
+  template <class Record>
+  static Record inStep(Record record) {
+    keepInStep(record.mesh, record.file);
+    return record;
+  }
   template <class Record>
   static Draft<Record>& list(List<Record>& draft, const std::vector<Record>& part) {
     return draft ? *draft : draft.emplace(part);
@@ -163,6 +188,8 @@ class Editing {
   List<Arrow> m_arrows;
   List<Signal> m_signals;
   List<Obstacle> m_obstacles;
+  List<Species> m_species;
+  List<Collider> m_colliders;
   List<Probe> m_probes;
   List<Camera> m_cameras;
 };
@@ -212,6 +239,7 @@ Edit moveEdit(const Project& project, std::span<const Id> ids, glm::vec2 delta) 
   };
   move(project.graph->points, &Point::position);
   move(*project.obstacles, &Obstacle::centre);
+  move(*project.colliders, &Collider::position);
   move(*project.probes, &Probe::position);
   return edit;
 }

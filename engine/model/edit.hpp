@@ -41,9 +41,9 @@ struct Set {
   T part;
 };
 
-using EditStep = std::variant<Put<Point>, Put<Arrow>, Put<Signal>, Put<Obstacle>, Put<Probe>, Put<Camera>, Erase,
-                              Reorder, EraseSignal, SetName, Set<FieldSettings>, Set<SolverSettings>, Set<AmbientWind>,
-                              Set<TerrainSettings>, Set<GrassSettings>>;
+using EditStep = std::variant<Put<Point>, Put<Arrow>, Put<Signal>, Put<Obstacle>, Put<Species>, Put<Collider>,
+                              Put<Probe>, Put<Camera>, Erase, Reorder, EraseSignal, SetName, Set<FieldSettings>,
+                              Set<SolverSettings>, Set<AmbientWind>, Set<TerrainSettings>, Set<GrassSettings>>;
 
 struct Edit {
   std::string label;            ///< for the history: "Move point"
@@ -52,12 +52,13 @@ struct Edit {
 };
 
 /// The project after the edit. Parts that no step names keep their pointers. Refused (BadInput, with
-/// JSON pointers of the result) where the result would not be valid.
+/// JSON pointers of the result) where the result would not be valid. What was read from a file (heights, meshes, maps)
+/// stays with the file's name: a record or part that names another file comes without it.
 Result<Project> applyEdit(const Project& project, const Edit& edit);
 
 // Pure helpers that build edits; ids that don't exist are ignored unless stated.
 
-/// Moves points, obstacles and probes by `delta` m.
+/// Moves points, obstacles, colliders and probes by `delta` m.
 Edit moveEdit(const Project& project, std::span<const Id> ids, glm::vec2 delta);
 /// A new point at `position`, joined by a new arrow from `from` with the drive of `model` (ids of model are ignored).
 struct BranchResult {

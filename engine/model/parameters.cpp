@@ -17,6 +17,8 @@ constexpr std::array<Names, 3> kObstacleShapes{"circle", "box", "polygon"};
 constexpr std::array<Names, 2> kGrassKinds{"instanced", "none"};
 constexpr std::array<Names, 3> kTerrainKinds{"flat", "heightmap", "mesh"};
 constexpr std::array<Names, 3> kDeformations{"arc", "quadratic", "inertial"};
+constexpr std::array<Names, 5> kPlantShapes{"blade", "daisy", "poppy", "spike", "mesh"};
+constexpr std::array<Names, 3> kColliderShapes{"sphere", "capsule", "mesh"};
 
 // Within a thousand kilometres of the origin a float still resolves 6 cm.
 constexpr double kFar = 1e6;
@@ -204,8 +206,10 @@ std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>() {
                           "1 is meadow grass; twice as much bends half as far in the same wind."),
       real<&G::stiffnessVariation>("stiffnessVariation", "Stiffness variation", "", 0, 1, 0.01, "How much it differs."),
       real<&G::clumping>("clumping", "Clumping", "", 0, 1, 0.01, "How much neighbours share height, lean and colour."),
-      choice<&G::deformation>("deformation", "Deformation", kDeformations,
-                              "Arc keeps a blade's length and never lies down; quadratic is the paper's."),
+      choice<&G::deformation>(
+          "deformation", "Deformation", kDeformations,
+          "Arc keeps a blade's length and never lies down; quadratic is the paper's; inertial blades overshoot "
+          "and settle after a gust."),
       real<&G::windFactor>("windFactor", "Wind factor", "", 0, 1, 0.005, "Bend per m/s of wind."),
       real<&G::droopDown>("droop/down", "Droop down", "", 0, 1, 0.01, "How far a blade sinks by its own weight."),
       real<&G::droopForward>("droop/forward", "Droop forward", "", 0, 1, 0.01, "How far it leans by its own weight."),
@@ -219,7 +223,77 @@ std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>() {
       real<&G::shadowMin>("shadow/min", "Darkest", "", 0, 1, 0.01, "Darkest shade between the blades."),
       real<&G::shadowMax>("shadow/max", "Brightest", "", 0, 2, 0.01, "Brightest shade."),
       real<&G::shadowWind>("shadow/wind", "Darkening by wind", "", 0, 2, 0.01, "How much bent blades darken."),
-      real<&G::shadowOffset>("shadow/offset", "Shade offset", "", -2, 2, 0.01, "Brightness of the root in still air.")};
+      real<&G::shadowOffset>("shadow/offset", "Shade offset", "", -2, 2, 0.01, "Brightness of the root in still air."),
+      real<&G::swingRate>("swing/rate", "Swing rate", "Hz", 0.1, 20, 0.1,
+                          "Swings per second of a blade that was pushed; inertial, and blades that objects bent."),
+      real<&G::swingDamping>("swing/damping", "Swing damping", "", 0.02, 1, 0.01,
+                             "How soon swings die out: 1 comes back without passing the rest pose; inertial, and "
+                             "blades that objects bent."),
+      real<&G::windExponent>("swing/exponent", "Wind exponent", "", 1, 2, 0.01,
+                             "How the force on a blade grows with the wind's speed: 2 as on a stiff plate, less for "
+                             "blades that give way; inertial."),
+      real<&G::slopeAlign>("slope/align", "Slope alignment", "", 0, 1, 0.01,
+                           "How far blades lean out of a slope: 0 upright, 1 at right angles to the ground."),
+      real<&G::slopeLimit>("slope/limit", "Slope limit", "deg", 0, 90, 1, "No grass on ground steeper than this."),
+      integer<&G::interacting>("interacting", "Interacting blades", "", 0, 100'000, 1000,
+                               "At most so many blades remember what touched them."),
+      text<&G::densityMap>("maps/density", "Density map",
+                           "Picture over the field, below the project's folder: black grows nothing, white all of it."),
+      text<&G::heightMap>("maps/height", "Height map",
+                          "Picture over the field: black is no height, mid grey as it is, white twice."),
+      text<&G::colourMap>("maps/colour", "Colour map",
+                          "Picture over the field, multiplied with the blades' colour: mid grey changes nothing.")};
+  return kTable;
+}
+
+template <>
+std::span<const Parameter<Species>> parametersOf<Species>() {
+  using S = Species;
+  static constexpr std::array kTable{
+      identifier<&S::id>("id", "Id", "Number of the species."),
+      text<&S::name>("name", "Name", "Name shown in the outliner."),
+      choice<&S::shape>(
+          "shape", "Shape", kPlantShapes,
+          "Blade as the meadow's own, daisy, poppy and spike are flowers on a stem, mesh is a glTF file."),
+      text<&S::file>("file", "File", "glTF plant or tuft below the project's folder; mesh."),
+      real<&S::weight>("weight", "Weight", "", 0, 20, 0.01,
+                       "Plants for each of the meadow's own blades; all of them together make up its density."),
+      real<&S::patchiness>("patchiness", "Patchiness", "", 0, 1, 0.01, "0 grows everywhere alike, 1 only in patches."),
+      real<&S::patchSize>("patchSize", "Patch size", "m", 0.1, 1000, 0.5, "Distance from one patch to the next."),
+      real<&S::height>("height", "Height", "m", 0.01, 10, 0.01, "Mean height of a plant."),
+      real<&S::heightVariation>("heightVariation", "Height variation", "", 0, 1, 0.01, "How much heights differ."),
+      real<&S::width>("width", "Width", "m", 0.001, 1, 0.001,
+                      "Width of a blade or stem at its base; a mesh keeps its own proportions."),
+      real<&S::stiffness>("stiffness", "Stiffness", "", 0.05, 20, 0.05,
+                          "1 is meadow grass; twice as much bends half as far in the same wind."),
+      real<&S::baseColour>("colours/base", "Base colour", "", 0, 1, 0.01,
+                           "Colour of a blade or stem at the root, linear RGB."),
+      real<&S::tipColour>("colours/tip", "Tip colour", "", 0, 1, 0.01,
+                          "Colour of a blade's tip or a flower's petals, or over a mesh's own; linear RGB."),
+      toggle<&S::hidden>("hidden", "Hidden", "Does not grow.")};
+  return kTable;
+}
+
+template <>
+std::span<const Parameter<Collider>> parametersOf<Collider>() {
+  using C = Collider;
+  static constexpr std::array kTable{
+      identifier<&C::id>("id", "Id", "Number of the collider."),
+      text<&C::name>("name", "Name", "Name shown in the outliner."),
+      choice<&C::shape>("shape", "Shape", kColliderShapes, "A ball, a lying capsule, or a glTF file's object."),
+      real<&C::position>("position", "Position", "m", -kFar, kFar, 0.1, "Place on the ground (x, z)."),
+      real<&C::lift>("lift", "Lift", "m", -1000, 1000, 0.05, "From the ground to its lowest point."),
+      real<&C::radius>("radius", "Radius", "m", 0.01, 100, 0.05, "Radius of a sphere or capsule."),
+      real<&C::length>("length", "Length", "m", 0, 100, 0.05, "Between the centres of a capsule's round ends."),
+      real<&C::rotation>("rotation", "Rotation", "deg", -360, 360, 1,
+                         "Turn from +x towards +z while it rests; capsule and mesh."),
+      text<&C::file>("file", "File", "glTF object below the project's folder; mesh."),
+      real<&C::scale>("scale", "Scale", "", 0.0001, 10000, 0.01, "Size of the mesh over what its file says."),
+      toggle<&C::loop>("loop", "Loop", "Begins again after its last key."),
+      toggle<&C::roll>("roll", "Roll", "A sphere turns as it moves."),
+      toggle<&C::hidden>("hidden", "Hidden", "Not drawn; it still bends the grass."),
+      toggle<&C::muted>("muted", "Muted", "Doesn't bend the grass."),
+      toggle<&C::locked>("locked", "Locked", "Can't be picked in the viewport.")};
   return kTable;
 }
 

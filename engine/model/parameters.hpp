@@ -21,6 +21,10 @@ std::span<const Parameter<Signal>> parametersOf<Signal>();  // all but `keys`
 template <>
 std::span<const Parameter<Obstacle>> parametersOf<Obstacle>();  // all but `points`
 template <>
+std::span<const Parameter<Species>> parametersOf<Species>();
+template <>
+std::span<const Parameter<Collider>> parametersOf<Collider>();  // all but `keys`
+template <>
 std::span<const Parameter<Probe>> parametersOf<Probe>();
 template <>
 std::span<const Parameter<Camera>> parametersOf<Camera>();

@@ -178,6 +178,56 @@ void checkObstacles(Problems& problems, const std::vector<Obstacle>& obstacles, 
   }
 }
 
+void checkFile(Problems& problems, const std::string& file, bool needed, const char* missing, auto&& where) {
+  std::string message = assetFileProblem(file);
+  if (message.empty() && file.empty() && needed) message = std::string("is missing, expected ") + missing;
+  if (!message.empty()) add(problems, where(), std::move(message));
+}
+
+void checkSpecies(Problems& problems, const std::vector<Species>& species, const std::vector<Species>* valid) {
+  checkRecords(problems, species, valid, "/species", kMaxSpecies);
+  for (std::size_t i = 0; i < species.size() && i < kMaxSpecies; ++i) {
+    checkFile(problems, species[i].file, species[i].shape == PlantShape::Mesh, "the glTF file of the plant",
+              [&] { return at("/species", i, "file"); });
+  }
+}
+
+void checkPath(Problems& problems, const std::vector<ColliderKey>& keys, std::size_t index) {
+  const std::string list = at("/colliders", index, "keys");
+  if (keys.size() > kMaxColliderKeys) {
+    add(problems, list,
+        "holds " + std::to_string(keys.size()) + ", expected at most " + std::to_string(kMaxColliderKeys));
+    return;
+  }
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    std::string problem = colliderKeyProblem(keys[k]);
+    if (problem.empty() && k > 0 && !(keys[k].time > keys[k - 1].time)) {
+      problem = "is not later than the key before it";
+    }
+    if (!problem.empty()) add(problems, list + "/" + std::to_string(k), std::move(problem));
+  }
+}
+
+void checkColliders(Problems& problems, const std::vector<Collider>& colliders, const std::vector<Collider>* valid) {
+  checkRecords(problems, colliders, valid, "/colliders", kMaxColliders);
+  for (std::size_t i = 0; i < colliders.size() && i < kMaxColliders; ++i) {
+    if (valid != nullptr && i < valid->size() && colliders[i] == (*valid)[i]) continue;
+    checkFile(problems, colliders[i].file, colliders[i].shape == ColliderShape::Mesh, "the glTF file of the object",
+              [&] { return at("/colliders", i, "file"); });
+    checkPath(problems, colliders[i].keys, i);
+  }
+}
+
+void checkGrass(Problems& problems, const GrassSettings& grass) {
+  checkPart(problems, grass, "/grass");
+  const auto map = [&](const std::string& file, const char* place) {
+    checkFile(problems, file, false, "", [place] { return std::string(place); });
+  };
+  map(grass.densityMap, "/grass/maps/density");
+  map(grass.heightMap, "/grass/maps/height");
+  map(grass.colourMap, "/grass/maps/colour");
+}
+
 void checkCameras(Problems& problems, const std::vector<Camera>& cameras) {
   checkRecords<Camera>(problems, cameras, nullptr, "/cameras", kMaxCameras);
   for (std::size_t i = 0; i < cameras.size() && i < kMaxCameras; ++i) {
@@ -196,13 +246,16 @@ struct IdPlace {
 std::vector<IdPlace> idPlaces(const Project& project) {
   std::vector<IdPlace> places;
   places.reserve(project.graph->points.size() + project.graph->arrows.size() + project.obstacles->size() +
-                 project.probes->size() + project.cameras->size());
+                 project.species->size() + project.colliders->size() + project.probes->size() +
+                 project.cameras->size());
   const auto take = [&](const auto& records, const char* list) {
     for (std::size_t i = 0; i < records.size(); ++i) places.push_back({records[i].id, list, i});
   };
   take(project.graph->points, "/graph/points");
   take(project.graph->arrows, "/graph/arrows");
   take(*project.obstacles, "/obstacles");
+  take(*project.species, "/species");
+  take(*project.colliders, "/colliders");
   take(*project.probes, "/probes");
   take(*project.cameras, "/cameras");
   return places;
@@ -231,11 +284,8 @@ void checkBlades(Problems& problems, const Project& project) {
 
 void checkTerrain(Problems& problems, const TerrainSettings& terrain) {
   checkPart(problems, terrain, "/terrain");
-  std::string message = terrainFileProblem(terrain.file);
-  if (message.empty() && terrain.file.empty() && terrain.kind != TerrainKind::Flat) {
-    message = "is missing, expected the picture or mesh that this kind of ground is made from";
-  }
-  if (!message.empty()) add(problems, "/terrain/file", std::move(message));
+  checkFile(problems, terrain.file, terrain.kind != TerrainKind::Flat,
+            "the picture or mesh that this kind of ground is made from", [] { return std::string("/terrain/file"); });
 }
 
 Problems validateParts(const Project& project, const Project* valid) {
@@ -255,13 +305,16 @@ Problems validateParts(const Project& project, const Project* valid) {
   if (changed(&Project::obstacles))
     checkObstacles(problems, *project.obstacles, valid ? valid->obstacles.get() : nullptr);
   if (changed(&Project::terrain)) checkTerrain(problems, *project.terrain);
-  if (changed(&Project::grass)) checkPart(problems, *project.grass, "/grass");
+  if (changed(&Project::grass)) checkGrass(problems, *project.grass);
+  if (changed(&Project::species)) checkSpecies(problems, *project.species, valid ? valid->species.get() : nullptr);
+  if (changed(&Project::colliders))
+    checkColliders(problems, *project.colliders, valid ? valid->colliders.get() : nullptr);
   if (changed(&Project::probes))
     checkRecords(problems, *project.probes, valid ? valid->probes.get() : nullptr, "/probes", kMaxProbes);
   if (changed(&Project::cameras)) checkCameras(problems, *project.cameras);
   if (changed(&Project::field) || changed(&Project::grass)) checkBlades(problems, project);
-  if (changed(&Project::graph) || changed(&Project::obstacles) || changed(&Project::probes) ||
-      changed(&Project::cameras)) {
+  if (changed(&Project::graph) || changed(&Project::obstacles) || changed(&Project::species) ||
+      changed(&Project::colliders) || changed(&Project::probes) || changed(&Project::cameras)) {
     checkIds(problems, project);
   }
   return problems;
@@ -278,7 +331,16 @@ std::string signalKeyProblem(const SignalKey& key) {
          " (s) and a value from 0 to " + shortest(kMaxSignalKeyValue);
 }
 
-std::string terrainFileProblem(std::string_view file) {
+std::string colliderKeyProblem(const ColliderKey& key) {
+  const auto near = [](float value) { return std::isfinite(value) && std::abs(value) <= kMaxColliderOffsetM; };
+  const bool time = std::isfinite(key.time) && key.time >= 0 && key.time <= kMaxColliderKeyTimeS;
+  if (time && near(key.offset.x) && near(key.offset.y) && near(key.offset.z)) return {};
+  return std::string(time ? "its offset" : "its time") +
+         " is out of range: expected [time, x, height, z] with a time from 0 to " + shortest(kMaxColliderKeyTimeS) +
+         " (s) and an offset from " + shortest(-kMaxColliderOffsetM) + " to " + shortest(kMaxColliderOffsetM) + " (m)";
+}
+
+std::string assetFileProblem(std::string_view file) {
   if (file.empty()) return {};
   const auto refuse = [&](const char* why) {
     return "found '" + std::string(file) + "', " + why +

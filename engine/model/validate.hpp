@@ -16,6 +16,11 @@ inline constexpr std::size_t kMaxArrows = 100'000;
 inline constexpr std::size_t kMaxObstacles = 10'000;
 inline constexpr std::size_t kMaxProbes = 1'000;
 inline constexpr std::size_t kMaxCameras = 1'000;
+inline constexpr std::size_t kMaxSpecies = 16;
+inline constexpr std::size_t kMaxColliders = 64;
+inline constexpr std::size_t kMaxColliderKeys = 10'000;
+inline constexpr float kMaxColliderKeyTimeS = 3600.0f;
+inline constexpr float kMaxColliderOffsetM = 100'000.0f;  ///< of a key, along each axis
 inline constexpr std::size_t kMaxSignalKeys = 10'000;
 inline constexpr float kMaxSignalKeyTimeS = 3600.0f;
 inline constexpr float kMaxSignalKeyValue = 4.0f;
@@ -25,14 +30,19 @@ inline constexpr float kMinArrowLengthM = 1e-3f;
 /// Where a key's time or value is out of range: what was expected. Empty where it is legal.
 std::string signalKeyProblem(const SignalKey& key);
 
-/// Where TerrainSettings::file would leave the project's folder: what was expected. Empty where it is legal or empty.
-std::string terrainFileProblem(std::string_view file);
+/// Where a collider key's time or offset is out of range: what was expected. Empty where it is legal.
+std::string colliderKeyProblem(const ColliderKey& key);
+
+/// Where the name of a file that a project uses (terrain, species, collider, map) would leave the project's folder:
+/// what was expected. Empty where it is legal or empty.
+std::string assetFileProblem(std::string_view file);
 
 /// Every problem, in file order, with JSON pointers: parameters out of range; ids zero or used twice;
 /// arrows to missing points, from a point to itself, or between points at the same place; two arrows
 /// with the same ends; signals of missing points, two for one root, or with keys out of range, not
 /// ascending or (when looped) after the period; periodic sides without partner; cameras that look at
-/// their own place; a terrain file that is missing or leaves the project's folder; counts over the limits. Empty: valid.
+/// their own place; files that leave the project's folder, and none where a terrain or a mesh needs one; colliders'
+/// keys out of range or not ascending; counts over the limits. Empty: valid.
 std::vector<Problem> validate(const Project& project);
 
 /// The same for a project made from a valid one: parts that it shares with `valid` are not read again,

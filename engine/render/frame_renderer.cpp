@@ -5,9 +5,13 @@
 #include "engine/core/log.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/timer.hpp"
+#include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
+#include "engine/grass/plant_pass.hpp"
 #include "engine/render/backdrop.hpp"
+#include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
+#include "engine/render/grass_dynamics.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
 #include "engine/render/overlay_pass.hpp"
@@ -24,9 +28,13 @@ constexpr float kSoftwareFullDetail = 0.6f;
 
 struct Parts {
   InstancedGrass grass;
+  GrassMaps maps;
+  PlantPass plants;
+  GrassDynamics dynamics;
   Backdrop backdrop;
   GroundPass ground;
   SolidPass solids;
+  ColliderPass colliders;
   OverlayPass overlays;
   gpu::Texture noise;
   gpu::Buffer frame;
@@ -35,20 +43,29 @@ struct Parts {
 Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   Result<InstancedGrass> grass = InstancedGrass::create(shaders);
   if (!grass) return grass.error();
+  Result<GrassMaps> maps = GrassMaps::create();
+  if (!maps) return maps.error();
+  Result<PlantPass> plants = PlantPass::create(shaders);
+  if (!plants) return plants.error();
+  Result<GrassDynamics> dynamics = GrassDynamics::create(shaders);
+  if (!dynamics) return dynamics.error();
   Result<Backdrop> backdrop = Backdrop::create(shaders);
   if (!backdrop) return backdrop.error();
   Result<GroundPass> ground = GroundPass::create(shaders);
   if (!ground) return ground.error();
   Result<SolidPass> solids = SolidPass::create(shaders);
   if (!solids) return solids.error();
+  Result<ColliderPass> colliders = ColliderPass::create(shaders);
+  if (!colliders) return colliders.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),    std::move(*backdrop), std::move(*ground), std::move(*solids),
-               std::move(*overlays), std::move(*noise),    std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*maps),   std::move(*plants), std::move(*dynamics),
+               std::move(*backdrop), std::move(*ground), std::move(*solids), std::move(*colliders),
+               std::move(*overlays), std::move(*noise),  std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -84,8 +101,11 @@ class FrameRendererImpl final : public FrameRenderer {
     if (!adoptProject(*input.project) || !fitTargets(input)) return stats();
     m_timer.beginFrame();
     bindFrame(input);
+    m_timer.stage("grass dynamics");
+    moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
+    m_parts.plants.prepare(plantView(input));
     drawScene(input);
     if (input.overlays.any()) {
       const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
@@ -98,6 +118,14 @@ class FrameRendererImpl final : public FrameRenderer {
     return stats();
   }
 
+  void advance(const FrameInput& input) override {
+    WL_REQUIRE(input.project != nullptr, "a frame shows a project");
+    if (!adoptProject(*input.project)) return;
+    bindFrame(input);
+    moveGrass(input);
+    WindSampler::unbind();
+  }
+
  private:
   /// Passes take over the parts that changed. A part the machine refuses is logged once and the frame skipped.
   bool adoptProject(const Project& project) {
@@ -106,14 +134,22 @@ class FrameRendererImpl final : public FrameRenderer {
     if (ground && !accept(m_parts.ground.configure(heights, defaultLight().sunDirection))) return false;
     if (ground || project.field != m_field || project.grass != m_grass) {
       if (!accept(m_parts.grass.configure(*project.field, *project.grass, heights.get()))) return false;
+      if (!accept(m_parts.dynamics.configure(project, m_parts.grass.layout()))) return false;
+    }
+    if (project.grass != m_grass && !accept(m_parts.maps.configure(*project.grass))) return false;
+    if (project.field != m_field || project.grass != m_grass || project.species != m_species) {
+      if (!accept(m_parts.plants.configure(*project.field, *project.grass, *project.species))) return false;
     }
     if (ground || project.field != m_field || project.obstacles != m_obstacles) {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
+    if (project.colliders != m_colliders && !accept(m_parts.colliders.configure(*project.colliders))) return false;
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
+    m_species = project.species;
     m_obstacles = project.obstacles;
+    m_colliders = project.colliders;
     return true;
   }
 
@@ -145,15 +181,34 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.frame.bindUniform(RENDER_UBO_FRAME);
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling};
     accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block, 0));
+    m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
     m_parts.ground.bind();
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
+    m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection);
     m_parts.backdrop.bakeSky();
     // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
     glBindTextureUnit(RENDER_TEXTURE_WIND, input.wind.name != 0 ? input.wind.name : m_parts.noise.name());
     m_windSampler.bind();
+  }
+
+  [[nodiscard]] PlantView plantView(const FrameInput& input) const {
+    return {.eye = glm::vec3(m_block.cameraPosition),
+            .orthographic = m_block.cameraPosition.w > 0.5f,
+            .pixelScale = m_block.pixelScale.x,
+            .detail = input.quality.detail,
+            .thinning = input.quality.thinning,
+            .culling = input.quality.culling};
+  }
+
+  void moveGrass(const FrameInput& input) {
+    const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
+    if (accept(m_parts.dynamics.fitWind(*input.project->grass, input.wind.grid.resolution, most))) {
+      m_parts.dynamics.advance(*input.project, input.time);
+    }
+    m_parts.dynamics.bind();
   }
 
   void drawScene(const FrameInput& input) {
@@ -164,8 +219,11 @@ class FrameRendererImpl final : public FrameRenderer {
     m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
+    m_parts.colliders.draw(state, *input.project, input.time);
     m_timer.stage("grass");
     m_parts.grass.draw(state);
+    m_timer.stage("plants");
+    m_parts.plants.draw(state);
     m_timer.stage("ground");
     const auto detail = quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full;
     if (m_parts.ground.flat()) {
@@ -195,7 +253,9 @@ class FrameRendererImpl final : public FrameRenderer {
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
+  Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
+  Shared<std::vector<Collider>> m_colliders;
   std::string m_lastError;
 };
 

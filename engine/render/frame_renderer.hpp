@@ -68,6 +68,10 @@ class FrameRenderer {
   static Result<std::unique_ptr<FrameRenderer>> create(gpu::Context& context, gpu::ShaderLibrary& shaders);
   virtual ~FrameRenderer() = default;
 
+  /// Leads grass that remembers to the time of `input` without drawing, so that a later picture shows what happened on
+  /// the way.
+  virtual void advance(const FrameInput& input) = 0;
+
   /// Never waits for the GPU.
   virtual FrameStats render(const FrameInput& input) = 0;
 };

@@ -15,6 +15,8 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
     {"terrain/solid polygon", {"terrain/solid_polygon.vert", "terrain/solid.frag"}},
+    {"terrain/collider", {"terrain/collider.vert", "terrain/collider.frag"}},
+    {"terrain/collider mesh", {"terrain/collider.vert", "terrain/collider.frag"}, "MESH"},
     {"field/speed map", {"field/map.vert", "field/speed_map.frag"}},
     {"field/divergence map", {"field/map.vert", "field/gradient_map.frag"}},
     {"field/vorticity map", {"field/map.vert", "field/gradient_map.frag"}, "VORTICITY"},

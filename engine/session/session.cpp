@@ -8,6 +8,7 @@
 
 #include "engine/core/log.hpp"
 #include "engine/gpu/texture.hpp"
+#include "engine/render/touch_clock.hpp"
 #include "engine/session/live_grid.hpp"
 #include "engine/session/wind_readout.hpp"
 #include "engine/session/wind_watch.hpp"
@@ -87,6 +88,7 @@ class SessionImpl final : public Session {
   void timeJumped();
   WindTexture windTexture();
   bool uploadWind();
+  FrameInput frameInput();
 
   SessionOptions m_options;
   std::unique_ptr<FrameRenderer> m_renderer;
@@ -265,6 +267,14 @@ void SessionImpl::advance(double wallSeconds) {
 
 void SessionImpl::runTo(double seconds) {
   m_simulation->setTransientForces(m_transient);
+  const bool remembers = !m_simulation->project().colliders->empty() ||
+                         m_simulation->project().grass->deformation == Deformation::Inertial;
+  if (remembers) m_simulation->runTo(seconds - kTouchMemoryS);
+  // Each step of the last seconds, so that the grass has been through what led to that time.
+  while (remembers && m_simulation->steps() < m_simulation->stepAt(seconds)) {
+    m_simulation->runTo(m_simulation->time() + timeStep());
+    m_renderer->advance(frameInput());
+  }
   m_simulation->runTo(seconds);
   m_copiedStep = -1;
 }
@@ -297,12 +307,17 @@ WindTexture SessionImpl::windTexture() {
   return uploadWind() ? WindTexture{m_windCopy.name(), solver.grid()} : WindTexture{};
 }
 
-void SessionImpl::draw(const View& view) {
+FrameInput SessionImpl::frameInput() {
   FrameInput input;
   input.project = &m_simulation->project();
   input.graph = &m_simulation->graph();
   input.wind = windTexture();
   input.time = m_simulation->time();
+  return input;
+}
+
+void SessionImpl::draw(const View& view) {
+  FrameInput input = frameInput();
   input.camera = view.camera;
   input.size = view.size;
   input.framebuffer = view.framebuffer;

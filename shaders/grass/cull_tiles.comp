@@ -48,7 +48,8 @@ uint workOf(ivec2 tile) {
   }
   uint blades = bladesInTile(tileHash(tile));
   uint count = min(blades, uint(ceil(float(blades) * keptPart(pixels, mostFacing(centre, halfSize)))));
-  float size = tall * pixels;
+  // The strips take on each other's shape by the same size, see blade.vert.
+  float size = grass.baseColour.w * pixels;
   uint detail = size > grass.levels.x ? 0u : size > grass.levels.y ? 1u : 2u;
   return count | detail << GRASS_WORK_LEVEL;
 }

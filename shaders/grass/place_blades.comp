@@ -12,6 +12,7 @@
 #include "shaders/include/tone_map.glsl"
 #include "shaders/include/occluders.glsl"
 #include "shaders/include/grass_blades.glsl"
+#include "shaders/include/blade_shape.glsl"
 
 layout(local_size_x = GRASS_CHUNK * GRASS_CHUNKS_A_GROUP) in;
 layout(std430, binding = RENDER_SSBO_CHUNKS) buffer Chunks { GrassChunk chunks[]; };
@@ -21,17 +22,35 @@ layout(std430, binding = RENDER_SSBO_COMMANDS) buffer Commands { GrassCommands c
 shared uint drawnLanes[GRASS_CHUNKS_A_GROUP];  // bit by lane of the chunk
 
 const float kMaxRestBend = 0.75;  // rad
+const float kFootLit = 0.2, kTipLit = 0.7;  // along a blade: stand for its foot and tip
+const float kMeanLit = 0.44;                  // and what lies between them for all of it
 
-// The colour of a blade that is too small on screen to be lit for itself: the meadow's, so that blades and ground
-// agree, tinted by how the blade differs from its neighbours.
-vec3 colourFromAfar(vec3 place, vec2 felt, SolidsNear solids, GroundLight ground, float slope, vec3 ownTint, uint species) {
-  vec2 root = place.xz;
-  vec2 patchTint = meadowPatch(root);
-  vec3 mean = bladeAlbedo(0u, 0.7, patchTint.x * grass.dryColour.w, patchTint.y, 0.0);
-  vec3 own = bladeAlbedo(species, 0.7, ownTint.x, ownTint.y, ownTint.z);
-  float sunlit = smoothstep(-0.15, 0.15, 0.3 * grass.baseColour.w - solids.shadowHeight);
-  vec3 light = meadowColour(root, felt, directionToCamera(place), ground.normal, sunlit) * mix(openness(solids.distanceM), 1.0, 0.5);
-  return toPicture(throughAir(light * slope * clamp(own / mean, 0.5, 1.8), place));
+// The colour of a blade that is too small on screen to be lit at every vertex: lit at two places.
+void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float hidden, vec3 root, vec2 bend, vec2 facing) {
+  vec3 v = directionToCamera(root + vec3(0.0, 0.5 * look.height, 0.0));
+  vec3 side = bladeSide(bend, facing, v);
+  // Blades that stand for those they hide look as these do: seen from the top down.
+  float depth = seenDepth(v.y);
+  float crowd = 1.0 - single * (1.0 - hidden);
+  vec3 colours[2];
+  for (int i = 0; i < 2; ++i) {
+    float s = i == 0 ? mix(kFootLit, 1.0 - 0.85 * depth, crowd) : mix(kTipLit, 1.0 - 0.15 * depth, crowd);
+    Spine spine = spineAt(bend, s, facing, look.height);
+    vec3 tangent = planted(spine.tangent, look.ground);
+    vec3 place = planted(spine.position, look.ground);
+    vec3 light = 0.5 * (bladeLight(look, place, tangent, s, side, -0.7, v) + bladeLight(look, place, tangent, s, side, 0.7, v));
+    if (single < 1.0) {
+      vec3 other = bladeSide(bend, vec2(facing.y, -facing.x), v);
+      vec3 more = 0.5 * (bladeLight(look, place, tangent, s, other, -0.7, v) + bladeLight(look, place, tangent, s, other, 0.7, v));
+      light = mix(light, more, 0.5 - 0.5 * single);
+    }
+    colours[i] = toPicture(throughAir(light, root));
+  }
+  // What is left of dark feet and light tips where many blades share a pixel.
+  vec3 mean = mix(colours[0], colours[1], kMeanLit);
+  float contrast = mix(0.25, 1.0, single);
+  blade.foot = packUnorm4x8(vec4(mix(mean, colours[0], contrast), 0.5 * look.share));
+  blade.tip = packUnorm4x8(vec4(mix(mean, colours[1], contrast), hidden));
 }
 
 // Undone by blade.vert.
@@ -47,7 +66,8 @@ bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
   vec3 place = vec3(root.x, groundHeight(root), root.y);
   float pixels = pixelsPerMetre(place);
   GroundLight ground = groundLight(root, pixels);
-  float kept = keptPart(pixels, dot(ground.normal, directionToCamera(place)));
+  float facingCamera = dot(ground.normal, directionToCamera(place));
+  float kept = keptPart(pixels, facingCamera);
   float grown = smoothstep(0.0, 1.0, (kept - own.rank) / (0.25 * kept));
   if (grown <= 0.0) return false;
   vec3 middle = place + vec3(0.0, 0.5 * grass.size.y, 0.0);
@@ -80,11 +100,14 @@ bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
     bend = arcSteadyBend(rest, felt, own.factor) + arcFlutter(felt, frame.viewForward.w, unit(state), 0.75 + 0.5 * unit(state), grass.motion.z);
   }
 
+  // A blade that stands for many takes on what they have in common.
+  float single = singleness(pixels);
   vec2 patchTint = meadowPatch(root);
-  float dryClump = step(1.0 - grass.dryColour.w * (0.4 + 1.2 * patchTint.x), mix(unit(state), unit(clumpState), 0.6 * shareClump + 0.2));
-  float dry = clamp(dryClump * (0.45 + 0.5 * unit(state)) + 0.15 * patchTint.x, 0.0, 1.0);
-  float bright = patchTint.y * (0.78 + 0.44 * mix(unit(state), unit(clumpState), 0.5 * shareClump));
-  float hue = 2.0 * mix(unit(state), unit(clumpState), 0.7 * shareClump) - 1.0;
+  float dryPart = grass.dryColour.w * (0.4 + 1.2 * patchTint.x);
+  float dryOwn = step(1.0 - dryPart, mix(unit(state), unit(clumpState), 0.6 * shareClump + 0.2)) * (0.45 + 0.5 * unit(state));
+  float dry = clamp(mix(0.38 * dryPart, dryOwn, single) + 0.15 * patchTint.x, 0.0, 1.0);
+  float bright = patchTint.y * (0.78 + 0.44 * mix(mix(0.5, unit(state), single), unit(clumpState), 0.5 * shareClump));
+  float hue = 2.0 * mix(mix(0.5, unit(state), single), unit(clumpState), 0.7 * shareClump) - 1.0;
 
   float slope = slopeLight(ground.normal, smoothstep(-0.15, 0.15, 0.3 * grass.baseColour.w - solids.shadowHeight));
   blade.x = root.x;
@@ -94,8 +117,10 @@ bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
   blade.bend = packHalf2x16(bend);
   blade.shade = packHalf2x16(vec2(solids.shadowHeight, shadeForce(length(felt))));
   blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright * slope, 0.5 + 0.5 * hue, openness(solid)));
+  blade.unused = 0u;
   float share = canopy * grass.species[own.species].base.w / grass.baseColour.w;
-  blade.canopy = packUnorm4x8(vec4(0.5 * share, colourFromAfar(place, felt, solids, ground, slope, vec3(dry, bright, hue), own.species)));
+  BladeLook look = BladeLook(own.species, height, share, solids.shadowHeight, shadeForce(length(felt)), unpackUnorm4x8(blade.tint), ground.normal);
+  lightFromAfar(blade, look, single, hiddenPart(facingCamera), place, bend, facing);
   return true;
 }
 

@@ -28,14 +28,30 @@ uint clumpOf(vec2 root) {
   return found;
 }
 
-// Low-discrepancy root positions (the R2 sequence, Roberts 2018, shifted per tile): every first part of the
-// list covers the tile evenly, so that thinning leaves no holes.
+// Owen's scrambling of a number in [0, 1) given by its bits, after Laine & Karras 2011 with the constants of Vegdahl 2021.
+uint scrambled(uint bits, uint seed) {
+  bits = bitfieldReverse(bits);
+  bits ^= bits * 0x3d20adeau;
+  bits += seed;
+  bits *= (seed >> 16u) | 1u;
+  bits ^= bits * 0x05526c56u;
+  bits ^= bits * 0x53a22864u;
+  return bitfieldReverse(bits);
+}
+
+// Second coordinate of Sobol's sequence; the first is the reversed index.
+uint sobolSecond(uint index) {
+  uint bits = 0u;
+  for (uint v = 0x80000000u; index != 0u; index >>= 1u, v ^= v >> 1u) {
+    if ((index & 1u) != 0u) bits ^= v;
+  }
+  return bits;
+}
+
+// Every first part of the list covers the tile evenly, so that thinning leaves no holes, and without any lattice.
 vec2 rootInTile(ivec2 tile, uint index, uint seed) {
-  uvec2 steps = (index + 1u) * uvec2(3242174889u, 2447445414u) + uvec2(pcgHash(seed), pcgHash(seed ^ 0x9e3779b9u));
-  vec2 even = vec2(steps >> 8u) / 16777216.0;
-  uint jitter = hashCombine(seed, index);
-  vec2 noise = vec2(jitter & 0xffffu, jitter >> 16u) / 65536.0 - 0.5;
-  return tileLow(tile) + fract(even + noise * 0.8 * inversesqrt(max(grass.tiles.y, 1.0))) * grass.tiles.x;
+  uvec2 place = uvec2(scrambled(bitfieldReverse(index), pcgHash(seed)), scrambled(sobolSecond(index), pcgHash(seed ^ 0x9e3779b9u)));
+  return tileLow(tile) + vec2(place >> 8u) / 16777216.0 * grass.tiles.x;
 }
 
 // How far in the margin around the field, 0..1 and more; ragged.

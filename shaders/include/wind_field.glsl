@@ -10,11 +10,14 @@ const float kCoarseCellM = 0.3;
 // Outside the field the wind turns into the ambient one over this distance.
 const float kOutsideM = 15.0;
 
-vec2 blendOutside(vec2 wind, vec2 world) {
+// 0 in the field .. 1 where only the ambient wind blows.
+float outsideField(vec2 world) {
   vec2 high = frame.field.xy + frame.field.zw;
   vec2 beyond = max(max(frame.field.xy - world, world - high), vec2(0.0));
-  return mix(wind, frame.ambientWind.xy, smoothstep(0.0, kOutsideM, length(beyond)));
+  return smoothstep(0.0, kOutsideM, length(beyond));
 }
+
+vec2 blendOutside(vec2 wind, vec2 world) { return mix(wind, frame.ambientWind.xy, outsideField(world)); }
 
 vec2 smoothWind(vec2 world) {
   if (frame.pixelScale.w < 0.5) return vec2(0.0);

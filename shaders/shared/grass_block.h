@@ -59,7 +59,7 @@ struct GrassChunk {
   uint count;  // blades, <= GRASS_CHUNK; after placing: blades to be drawn
 };
 
-/// A blade ready to be drawn. 32 bytes.
+/// A blade ready to be drawn.
 struct GrassBlade {
   float x;          // root, m
   float z;
@@ -69,7 +69,10 @@ struct GrassBlade {
   uint bend;        // half2: arc: direction times angle in rad; quadratic: F V
   uint shade;       // half2: height of the shadow of solids over the root, m; |F| of eq. 14
   uint tint;        // unorm4: dryness, half the brightness (with the slope's light), hue from -1..1, openness beside solids
-  uint canopy;      // unorm4: half the height of the canopy around it over the mean one; its colour in the picture from afar
+  uint foot;        // unorm4: its colour in the picture from afar at the foot; half the height of the canopy around it over
+                    // the mean one
+  uint tip;         // unorm4: the same at the tip; part of the blades around it that it hides
+  uint unused;
 };
 
 /// Arguments of indirect commands, written by the culling passes.
@@ -89,7 +92,7 @@ WL_SHARED_END
 static_assert(sizeof(windloom::shared::BladeSpecies) == 64, "std140 layout");
 static_assert(sizeof(windloom::shared::GrassBlock) == 15 * 16 + GRASS_SPECIES * 64, "std140 layout");
 static_assert(sizeof(windloom::shared::GrassChunk) == 16, "std430 layout");
-static_assert(sizeof(windloom::shared::GrassBlade) == 32, "std430 layout");
+static_assert(sizeof(windloom::shared::GrassBlade) == 40, "std430 layout");
 static_assert(sizeof(windloom::shared::GrassCommands) == 112, "std430 layout");
 #endif
 #endif

@@ -5,6 +5,8 @@
 // Uniform buffers.
 #define RENDER_UBO_FRAME 0
 #define RENDER_UBO_GRASS 1
+#define RENDER_UBO_CHAIN 2
+#define RENDER_UBO_COLLIDERS 3
 
 // Textures.
 #define RENDER_TEXTURE_WIND 0
@@ -15,6 +17,12 @@
 #define RENDER_TEXTURE_GROUND 4
 #define RENDER_TEXTURE_GROUND_LIGHT 5
 #define RENDER_TEXTURE_OCCLUDERS 6
+#define RENDER_TEXTURE_PLANT 9
+#define RENDER_TEXTURE_DENSITY_MAP 11
+#define RENDER_TEXTURE_HEIGHT_MAP 12
+#define RENDER_TEXTURE_COLOUR_MAP 13
+#define RENDER_TEXTURE_COLLIDER 10
+#define RENDER_TEXTURE_VIRTUAL_WIND 14
 
 // Storage buffers.
 #define RENDER_SSBO_CHUNKS 0
@@ -31,5 +39,18 @@
 #define RENDER_SSBO_CORNERS 5
 #define RENDER_SSBO_TILE_WORK 6
 #define RENDER_SSBO_GROUP_WORK 7
+// The placing of plants other than blades has no chunks, blades and solids.
+#define RENDER_SSBO_PLANTS 1
+#define RENDER_SSBO_PLANT_COMMANDS 2
+#define RENDER_SSBO_PLANT_KINDS 3
+#define RENDER_SSBO_VIRTUAL_BLADES 4
+// The stepping pass of the patches; table and state are read by the placing pass, too.
+#define RENDER_SSBO_PATCHES 4
+#define RENDER_SSBO_PRIMITIVES 5
+#define RENDER_SSBO_PATCH_TABLE 6
+#define RENDER_SSBO_PATCH_STATE 7
+
+// Images.
+#define RENDER_IMAGE_VIRTUAL_WIND 0
 
 #endif

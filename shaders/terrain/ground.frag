@@ -36,7 +36,10 @@ void main() {
   vec4 mid = noiseAt(world.yx, 8.3);
 
   float tall = grass.baseColour.w * pixels;
-  float blended = 1.0 - smoothstep(0.8, 6.0, tall / grass.cover.w);
+  // As far as fewer blades cover it than grow there.
+  float covered = keptByHeight(tall, grass.cover.w) * min(grass.cover.y * grass.size.x * pixels / grass.cover.x, 1.0);
+  covered *= 1.0 - hiddenPart(dot(slope.normal, v));
+  float blended = grass.tileCentre.w > 0.5 ? 0.0 : 1.0 - covered;
   float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileCentre.z));
   vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
   vec3 meadow = meadowColour(world, wind, v, slope.normal, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);

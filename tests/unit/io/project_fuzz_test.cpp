@@ -38,6 +38,8 @@ std::string piece(Random& random, const std::string& text) {
                                         "\"id\": 1",
                                         "\"position\": []",
                                         "\"keys\": [[0]]",
+                                        "\"keys\": [[0, 0, 0, 0]]",
+                                        "\"shape\": \"mesh\"",
                                         "0.1",
                                         "\"kind\": \"pulse\"",
                                         "\"/\": 1",

@@ -34,6 +34,13 @@ TEST(ProjectJson, ReadsEveryKindOfRecord) {
   EXPECT_EQ(project.graph->signals[0].keys[1].time, 1.25f);
   EXPECT_EQ(project.obstacles->at(0).shape, ObstacleShape::Box);
   EXPECT_EQ(project.grass->shadowMin, 0.5f);
+  EXPECT_EQ(project.grass->densityMap, "assets/mask.png");
+  EXPECT_EQ(project.species->at(0).shape, PlantShape::Daisy);
+  EXPECT_EQ(project.species->at(0).tipColour, glm::vec3(1, 1, 0.9f));
+  EXPECT_EQ(project.species->at(1).file, "assets/tuft.glb");
+  EXPECT_EQ(project.colliders->at(0).position, glm::vec2(2, 3));
+  EXPECT_EQ(project.colliders->at(0).keys, (std::vector<ColliderKey>{{0, {0, 0, 0}}, {1.5f, {4, 0.25f, -2}}}));
+  EXPECT_EQ(project.colliders->at(1).shape, ColliderShape::Mesh);
   EXPECT_EQ(project.probes->at(0).id, 40u);
   EXPECT_EQ(project.cameras->at(0).position, glm::vec3(0, 2, 9));
 }
@@ -47,7 +54,7 @@ TEST(ProjectJson, MissingKeysTakeTheirDefault) {
   EXPECT_TRUE(loaded->project.graph->points.empty());
 }
 
-TEST(ProjectJson, ReportsUnknownKeysAtTheirPlaceButNotColliders) {
+TEST(ProjectJson, ReportsUnknownKeysAtTheirPlace) {
   const Result<LoadedProject> loaded = parseProject(kRichProject, "rich");
   ASSERT_TRUE(loaded.ok());
   Pointers pointers;
@@ -55,8 +62,9 @@ TEST(ProjectJson, ReportsUnknownKeysAtTheirPlaceButNotColliders) {
     EXPECT_EQ(warning.file, "rich");
     pointers.push_back(warning.pointer);
   }
-  EXPECT_EQ(pointers, (Pointers{"/field/later", "/field/borders/floor", "/ambient/gusts/colour", "/graph/points/1/tag",
-                                "/graph/layers", "/studio"}));
+  EXPECT_EQ(pointers,
+            (Pointers{"/field/later", "/field/borders/floor", "/ambient/gusts/colour", "/graph/points/1/tag",
+                      "/graph/layers", "/grass/maps/wet", "/species/1/season", "/colliders/0/mass", "/studio"}));
 }
 
 TEST(ProjectJson, EscapesKeysInPointers) {
@@ -97,6 +105,9 @@ TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
   const std::pair<const char*, const char*> expected[] = {
       {"array", ""},
       {"beyond-float", "/graph/points/0/position"},
+      {"collider-key-backwards", "/colliders/0/keys/2"},
+      {"collider-key-short", "/colliders/0/keys/1"},
+      {"collider-mesh-without-file", "/colliders/0/file"},
       {"control-character-name", "/name"},
       {"dangling-arrow", "/graph/arrows/0/to"},
       {"dangling-signal", "/graph/signals/0/root"},
@@ -104,7 +115,9 @@ TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
       {"duplicate-key", "/graph/arrows/0/radius"},
       {"empty", ""},
       {"id-of-point-and-arrow", "/graph/arrows/0/id"},
+      {"id-of-species-and-collider", "/colliders/0/id"},
       {"keys-not-ascending", "/graph/signals/0/keys/1"},
+      {"map-outside", "/grass/maps/density"},
       {"missing-format", "/format"},
       {"missing-version", "/version"},
       {"nan", "line 7, column 30"},
@@ -118,7 +131,10 @@ TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
       {"resolution-huge", "/field/resolution"},
       {"resolution-zero", "/field/resolution"},
       {"self-arrow", "/graph/arrows/0/to"},
+      {"species-mesh-outside", "/species/0/file"},
+      {"species-unknown-shape", "/species/0/shape"},
       {"too-many-blades", "/grass/density"},
+      {"too-many-species", "/species"},
       {"twin-arrows", "/graph/arrows/1"},
       {"unknown-choice", "/graph/arrows/0/drive"},
       {"wrong-format", "/format"},
@@ -150,6 +166,45 @@ TEST(ProjectJson, NamesThePlaceOfAKeysWrongPart) {
         {"[1, 9]", "/keys/1: "}}) {
     EXPECT_NE(refusal(key).find(std::string("/graph/signals/0") + told), std::string::npos) << refusal(key);
   }
+}
+
+TEST(ProjectJson, NamesThePlaceOfAColliderKeysWrongPart) {
+  const auto refusal = [](const std::string& keys) {
+    const Result<LoadedProject> loaded = parseProject(
+        R"({"format": "windloom-project", "version": 1, "colliders": [{"id": 1, "keys": )" + keys + "}]}", "x");
+    if (loaded.ok()) return std::string("taken");
+    EXPECT_EQ(loaded.error().problems.size(), 1u) << loaded.error().text();
+    return loaded.error().text();
+  };
+  EXPECT_EQ(refusal("[]"), "taken");
+  EXPECT_EQ(refusal("[[0, 1, 2, 3], [0.5, -1, 0, 1e3]]"), "taken");
+  for (const auto& [keys, told] :
+       {std::pair{"{}", "/keys: found {}, expected an array of at most 10000 keys [time, x, height, z]"},
+        {"[[0, 0, 0, 0], [1, 2, 3]]", "/keys/1: found [1,2,3], expected four numbers [time, x, height, z]"},
+        {"[[0, 0, 0, 0, 0], [5, 0, 0, 0], [1, 0, 0, 0]]", "/keys/0: found"},
+        {R"([[0, 0, "high", 0]])", "/keys/0: found"},
+        {"[7]", "/keys/0: found 7"},
+        {"[[-1, 0, 0, 0]]", "/keys/0: its time is out of range"},
+        {"[[0, 1e7, 0, 0]]", "/keys/0: its offset is out of range"},
+        {"[[2, 0, 0, 0], [2, 1, 0, 0]]", "/keys/1: is not later than the key before it"}}) {
+    EXPECT_NE(refusal(keys).find(std::string("/colliders/0") + told), std::string::npos) << refusal(keys);
+  }
+}
+
+TEST(ProjectJson, ReadsCollidersAndSpeciesWithNothingButTheirId) {
+  const Result<LoadedProject> loaded = parseProject(
+      R"({"format": "windloom-project", "version": 1, "species": [{"id": 1}], "colliders": [{"id": 2}]})", "x");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+  Species species;
+  species.id = 1;
+  Collider collider;
+  collider.id = 2;
+  EXPECT_EQ(loaded->project.species->at(0), species);
+  EXPECT_EQ(loaded->project.colliders->at(0), collider);
+  EXPECT_EQ(
+      problemPointers(parseProject(
+          R"({"format": "windloom-project", "version": 1, "species": [{}], "colliders": [{"radius": 2}, 3]})", "x")),
+      (Pointers{"/colliders/0/id", "/colliders/1", "/colliders/1/id", "/species/0/id"}));
 }
 
 TEST(ProjectJson, SyntaxErrorsSayThatItIsNoJson) {

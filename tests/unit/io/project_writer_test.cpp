@@ -30,7 +30,7 @@ TEST(ProjectJson, UnknownKeysAreWrittenBackAtTheirObject) {
   for (const char* kept :
        {R"("floor": "moss"})", R"("later": [1, {"a": null}]})", R"("colour": "blue"})", R"("tag": 0.001})",
         R"("layers": {"x": 1})", R"("studio": {"owner": "Ada", "big": 18446744073709551615})",
-        R"("colliders": [{"mesh": "rock.glb"}])"}) {
+        R"("maps": {"density": "assets/mask.png", "wet": 1})", R"("season": "may"})", R"("mass": 3})"}) {
     EXPECT_NE(text.find(kept), std::string::npos) << kept << "\n" << text;
   }
 }
@@ -44,9 +44,21 @@ TEST(ProjectJson, WritesOneRecordALineWithoutDefaults) {
         "\n      {\"root\": 1, \"kind\": \"curve\", \"period\": 4, \"attack\": 0.4, \"loop\": true, \"keys\": [[0, 0], "
         "[1.25, 1], [4, 0]]}\n",
         "\n    {\"id\": 30, \"shape\": \"box\", \"centre\": [5, -8], \"size\": [3, 1], \"rotation\": 30}\n",
+        "\n    {\"id\": 60, \"shape\": \"daisy\", \"weight\": 0.1, \"height\": 0.8, \"colours\": {\"tip\": [1, 1, "
+        "0.9]}},\n",
+        "\n    {\"id\": 70, \"shape\": \"sphere\", \"position\": [2, 3], \"radius\": 0.4, \"keys\": [[0, 0, 0, 0], "
+        "[1.5, 4, 0.25, -2]], \"mass\": 3},\n",
+        "\n    {\"id\": 71, \"shape\": \"mesh\", \"position\": [0, 0], \"file\": \"assets/rock.glb\"}\n",
         "\n    {\"id\": 40, \"position\": [3, 4]}\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
   }
+}
+
+TEST(ProjectJson, FilesFromBeforeSpeciesAndCollidersGetEmptyLists) {
+  const std::string text = writeProject(read(R"({"format": "windloom-project", "version": 1})"));
+  EXPECT_NE(text.find("},\n  \"species\": [],\n  \"colliders\": [],\n  \"probes\": []"), std::string::npos) << text;
+  EXPECT_EQ(text.find("\"maps\""), std::string::npos) << "no maps, no key";
+  EXPECT_NE(text.find(R"("swing": {"rate": 1.4, "damping": 0.18, "exponent": 1.3333334})"), std::string::npos) << text;
 }
 
 TEST(ProjectJson, EasingsOfKeysSurviveAndLinearIsLeftOut) {

@@ -7,9 +7,9 @@
 #include <limits>
 
 #include "engine/core/file.hpp"
+#include "engine/io/asset_copy.hpp"
 #include "engine/io/image.hpp"
 #include "engine/io/project_json.hpp"
-#include "engine/io/terrain_copy.hpp"
 #include "engine/io/terrain_mesh.hpp"
 #include "engine/model/edit.hpp"
 #include "tests/temporary_folder.hpp"
@@ -256,29 +256,29 @@ TEST_F(TerrainFiles, FilesFromElsewhereAreCopiedUnderAFreeName) {
   const fs::path project = m_folder / "project";
   ASSERT_TRUE(makeFolder(project));
   const fs::path one = putPicture("one/hill.png"), two = putPicture("two/hill.png", 3, 2, 99);
-  EXPECT_EQ(*bringTerrainFile(one, project), "assets/hill.png");
-  EXPECT_EQ(*bringTerrainFile(one, project), "assets/hill.png") << "the same file again";
-  EXPECT_EQ(*bringTerrainFile(two, project), "assets/hill-2.png");
+  EXPECT_EQ(*bringAsset(one, project), "assets/hill.png");
+  EXPECT_EQ(*bringAsset(one, project), "assets/hill.png") << "the same file again";
+  EXPECT_EQ(*bringAsset(two, project), "assets/hill-2.png");
   EXPECT_EQ(*readFile(project / "assets/hill.png"), *readFile(one));
   EXPECT_EQ(*readFile(project / "assets/hill-2.png"), *readFile(two));
-  EXPECT_EQ(*bringTerrainFile(project / "assets/hill-2.png", project), "assets/hill-2.png") << "inside already";
+  EXPECT_EQ(*bringAsset(project / "assets/hill-2.png", project), "assets/hill-2.png") << "inside already";
 }
 
 TEST_F(TerrainFiles, MeshesBringWhatTheyReferTo) {
   const fs::path project = m_folder / "project";
   ASSERT_TRUE(makeFolder(project));
-  const auto name = bringTerrainFile(putGltf({}, "model/ground.gltf"), project);
+  const auto name = bringAsset(putGltf({}, "model/ground.gltf"), project);
   ASSERT_TRUE(name.ok()) << name.error().text();
   EXPECT_EQ(*name, "assets/ground/ground.gltf");
   EXPECT_TRUE(readTerrainFile(project / *name, TerrainKind::Mesh).ok());
 
   Gltf web;
   web.buffer = R"("uri": "https://example.org/ground.bin", "byteLength": 60)";
-  const auto refused = bringTerrainFile(putGltf(web, "web/ground.gltf"), project);
+  const auto refused = bringAsset(putGltf(web, "web/ground.gltf"), project);
   ASSERT_FALSE(refused.ok());
   EXPECT_SAYS(refused.error().text(), "https://example.org/ground.bin");
   fs::remove(m_folder / "model/ground.bin");
-  const auto lost = bringTerrainFile(m_folder / "model/ground.gltf", project);
+  const auto lost = bringAsset(m_folder / "model/ground.gltf", project);
   ASSERT_FALSE(lost.ok());
   EXPECT_SAYS(lost.error().text(), "ground.bin");
 }
@@ -287,7 +287,7 @@ TEST_F(TerrainFiles, MeshesBringWhatTheyReferToWhateverTheirEnding) {
   const fs::path project = m_folder / "project";
   ASSERT_TRUE(makeFolder(project));
   fs::rename(putGltf({}, "model/loud.gltf"), m_folder / "model/LOUD.GLTF");
-  const auto loud = bringTerrainFile(m_folder / "model/LOUD.GLTF", project);
+  const auto loud = bringAsset(m_folder / "model/LOUD.GLTF", project);
   ASSERT_TRUE(loud.ok()) << loud.error().text();
   EXPECT_TRUE(readTerrainFile(project / *loud, TerrainKind::Mesh).ok());
 
@@ -300,7 +300,7 @@ TEST_F(TerrainFiles, MeshesBringWhatTheyReferToWhateverTheirEnding) {
   add(static_cast<std::uint32_t>(padded.size()));
   binary += "JSON" + padded;
   put("model/outside.glb", binary);
-  const auto outside = bringTerrainFile(m_folder / "model/outside.glb", project);
+  const auto outside = bringAsset(m_folder / "model/outside.glb", project);
   ASSERT_TRUE(outside.ok()) << outside.error().text();
   EXPECT_TRUE(readTerrainFile(project / *outside, TerrainKind::Mesh).ok()) << "its buffer lies in a file of its own";
 }
@@ -308,16 +308,16 @@ TEST_F(TerrainFiles, MeshesBringWhatTheyReferToWhateverTheirEnding) {
 TEST_F(TerrainFiles, GoAlongButNeverOverAnotherFile) {
   putGltf({}, "a/terrain/ground.gltf");
   ASSERT_TRUE(makeFolder(m_folder / "b"));
-  ASSERT_TRUE(copyTerrainAlong("terrain/ground.gltf", m_folder / "a", m_folder / "b"));
+  ASSERT_TRUE(copyAssetsAlong({"terrain/ground.gltf"}, m_folder / "a", m_folder / "b"));
   EXPECT_TRUE(readTerrainFile(m_folder / "b/terrain/ground.gltf", TerrainKind::Mesh).ok());
-  ASSERT_TRUE(copyTerrainAlong("terrain/ground.gltf", m_folder / "a", m_folder / "b")) << "twice is well";
+  ASSERT_TRUE(copyAssetsAlong({"terrain/ground.gltf"}, m_folder / "a", m_folder / "b")) << "twice is well";
   put("c/terrain/ground.bin", "something else");
-  const Status refused = copyTerrainAlong("terrain/ground.gltf", m_folder / "a", m_folder / "c");
+  const Status refused = copyAssetsAlong({"terrain/ground.gltf"}, m_folder / "a", m_folder / "c");
   ASSERT_FALSE(refused.ok());
   EXPECT_SAYS(refused.error().text(), "ground.bin");
   EXPECT_EQ(*readFile(m_folder / "c/terrain/ground.bin"), "something else");
   EXPECT_FALSE(fs::exists(m_folder / "c/terrain/ground.gltf"));
-  EXPECT_TRUE(copyTerrainAlong("lost.png", m_folder / "a", m_folder / "b")) << "what is lost already can't go along";
+  EXPECT_TRUE(copyAssetsAlong({"lost.png"}, m_folder / "a", m_folder / "b")) << "what is lost already can't go along";
 }
 
 }  // namespace windloom

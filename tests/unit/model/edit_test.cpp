@@ -33,6 +33,13 @@ Project richProject() {
   rock.id = 30;
   Probe probe;
   probe.id = 40;
+  Species daisy;
+  daisy.id = 50;
+  daisy.shape = PlantShape::Daisy;
+  Collider ball;
+  ball.id = 60;
+  project.species = std::make_shared<std::vector<Species>>(1, daisy);
+  project.colliders = std::make_shared<std::vector<Collider>>(1, ball);
   project.obstacles = std::make_shared<std::vector<Obstacle>>(1, rock);
   project.probes = std::make_shared<std::vector<Probe>>(1, probe);
   return project;
@@ -149,8 +156,8 @@ TEST(ApplyEdit, SignalsArePutAndErasedByRoot) {
 TEST(ApplyEdit, NamesWhatWouldNotBeValid) {
   const Project project = richProject();
   using Pointers = std::vector<std::string>;
-  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{arrowBetween(60, 1, 99)})), Pointers{"/graph/arrows/2/to"});
-  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{arrowBetween(60, 1, 2)})), Pointers{"/graph/arrows/2"});
+  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{arrowBetween(70, 1, 99)})), Pointers{"/graph/arrows/2/to"});
+  EXPECT_EQ(refusals(project, editOf(Put<Arrow>{arrowBetween(70, 1, 2)})), Pointers{"/graph/arrows/2"});
   EXPECT_EQ(refusals(project, editOf(Put<Point>{pointAt(30, {0, 9})})), Pointers{"/obstacles/0/id"});
   EXPECT_EQ(refusals(project, moveEdit(project, std::array<Id, 1>{2}, {10, 0})), Pointers{"/graph/arrows/1"});
   Arrow weak = project.graph->arrows[0];
@@ -167,13 +174,92 @@ TEST(ApplyEdit, NamesWhatWouldNotBeValid) {
   EXPECT_EQ(refusals(project, both), Pointers{"/grass/density"});
 }
 
-TEST(MoveEdit, MovesPointsObstaclesAndProbesTogether) {
+TEST(ApplyEdit, SpeciesAndCollidersArePutErasedAndReordered) {
   const Project before = richProject();
-  const Result<Project> after = applyEdit(before, moveEdit(before, std::array<Id, 5>{3, 30, 40, 11, 777}, {1, -2}));
+  Species poppy;
+  poppy.id = 51;
+  poppy.shape = PlantShape::Poppy;
+  Collider ball = before.colliders->front();
+  ball.radius = 2;
+  Edit edit = editOf(Put<Species>{poppy});
+  edit.steps.emplace_back(Put<Collider>{ball});
+  ball.id = 61;
+  edit.steps.emplace_back(Put<Collider>{ball});
+  const Project both = *applyEdit(before, edit);
+  ASSERT_EQ(both.species->size(), 2u);
+  ASSERT_EQ(both.colliders->size(), 2u);
+  EXPECT_EQ((*both.colliders)[0].radius, 2.0f);
+  const Project turned = *applyEdit(both, editOf(Reorder{{51, 61}, 50}));
+  EXPECT_EQ((*turned.species)[0].id, 51u);
+  EXPECT_EQ(turned.colliders, both.colliders) << "its list doesn't hold the record to stand before";
+  const Project turnedBack = *applyEdit(both, editOf(Reorder{{60}, 0}));
+  EXPECT_EQ((*turnedBack.colliders)[1].id, 60u);
+  const Project none = *applyEdit(both, eraseEdit({50, 61}));
+  EXPECT_EQ(none.species->front().id, 51u);
+  EXPECT_EQ(none.colliders->front().id, 60u);
+  EXPECT_EQ(none.graph, both.graph);
+  EXPECT_EQ(nextFreeId(both), 62u);
+}
+
+TEST(ApplyEdit, NamesWhatIsWrongWithSpeciesAndColliders) {
+  const Project project = richProject();
+  using Pointers = std::vector<std::string>;
+  Species tuft = project.species->front();
+  tuft.shape = PlantShape::Mesh;
+  EXPECT_EQ(refusals(project, editOf(Put<Species>{tuft})), Pointers{"/species/0/file"});
+  tuft.shape = PlantShape::Blade;
+  tuft.id = 60;  // the collider's
+  EXPECT_EQ(refusals(project, editOf(Put<Species>{tuft})), Pointers{"/colliders/0/id"});
+  Collider ball = project.colliders->front();
+  ball.keys = {{1, {}}, {1, {}}};
+  EXPECT_EQ(refusals(project, editOf(Put<Collider>{ball})), Pointers{"/colliders/0/keys/1"});
+}
+
+TEST(ApplyEdit, WhatWasReadStaysOnlyWithTheNameOfItsFile) {
+  const Project before = richProject();
+  auto mesh = std::make_shared<PlantMesh>();
+  mesh->file = "assets/tuft.glb";
+  Species tuft = before.species->front();
+  tuft.shape = PlantShape::Mesh;
+  tuft.file = mesh->file;
+  tuft.mesh = mesh;
+  Collider stone = before.colliders->front();
+  stone.file = mesh->file;
+  stone.mesh = mesh;
+  auto map = std::make_shared<GrassMap>();
+  map->file = "assets/mask.png";
+  GrassSettings grass;
+  grass.densityMap = map->file;
+  grass.densityPixels = grass.heightPixels = map;
+  Edit edit = editOf(Put<Species>{tuft});
+  edit.steps.emplace_back(Put<Collider>{stone});
+  edit.steps.emplace_back(Set<GrassSettings>{grass});
+  const Project read = *applyEdit(before, edit);
+  EXPECT_EQ(read.species->front().mesh, mesh);
+  EXPECT_EQ(read.colliders->front().mesh, mesh);
+  EXPECT_EQ(read.grass->densityPixels, map);
+  EXPECT_EQ(read.grass->heightPixels, nullptr) << "no height map is named";
+  tuft.file = "assets/other.glb";
+  stone.file.clear();
+  grass.densityMap = "assets/other.png";
+  edit = editOf(Put<Species>{tuft});
+  edit.steps.emplace_back(Put<Collider>{stone});
+  edit.steps.emplace_back(Set<GrassSettings>{grass});
+  const Project renamed = *applyEdit(read, edit);
+  EXPECT_EQ(renamed.species->front().mesh, nullptr);
+  EXPECT_EQ(renamed.colliders->front().mesh, nullptr);
+  EXPECT_EQ(renamed.grass->densityPixels, nullptr);
+}
+
+TEST(MoveEdit, MovesPointsObstaclesCollidersAndProbesTogether) {
+  const Project before = richProject();
+  const Result<Project> after = applyEdit(before, moveEdit(before, std::array<Id, 6>{3, 30, 40, 60, 11, 777}, {1, -2}));
   ASSERT_TRUE(after);
   EXPECT_EQ(after->graph->points[2].position, glm::vec2(21, -2));
   EXPECT_EQ((*after->obstacles)[0].centre, glm::vec2(1, -2));
   EXPECT_EQ((*after->probes)[0].position, glm::vec2(1, -2));
+  EXPECT_EQ((*after->colliders)[0].position, glm::vec2(1, -2));
+  EXPECT_EQ(after->species, before.species);
 }
 
 TEST(BranchEdit, AddsAPointAndAnArrowLikeTheModel) {
@@ -185,7 +271,7 @@ TEST(BranchEdit, AddsAPointAndAnArrowLikeTheModel) {
   const BranchResult branch = branchEdit(before, 2, {10, 10}, model);
   const Result<Project> after = applyEdit(before, branch.edit);
   ASSERT_TRUE(after);
-  EXPECT_EQ(branch.point, 41u);
+  EXPECT_EQ(branch.point, 61u);
   const Arrow* added = findArrow(*after->graph, branch.arrow);
   ASSERT_NE(added, nullptr);
   EXPECT_EQ(added->from, 2u);

@@ -140,9 +140,9 @@ TEST(HeightField, FollowsEditsOfItsPlaceWithoutAnotherCopy) {
 
 TEST(TerrainFile, MayNotLeaveTheProjectsFolder) {
   for (const char* good : {"", "hills.png", "terrain/a b.glb", "a/b/..c.png"})
-    EXPECT_EQ(terrainFileProblem(good), "") << good;
+    EXPECT_EQ(assetFileProblem(good), "") << good;
   for (const char* bad : {"/etc/hills.png", "../hills.png", "a/../../b.png", "a\\b.png", "a//b.png", "./a.png", "a/"}) {
-    EXPECT_NE(terrainFileProblem(bad), "") << bad;
+    EXPECT_NE(assetFileProblem(bad), "") << bad;
     Project project;
     TerrainSettings terrain;
     terrain.kind = TerrainKind::HeightMap;

@@ -10,8 +10,8 @@ namespace {
 
 template <class Owner>
 class ParameterTables : public testing::Test {};
-using Owners = testing::Types<FieldSettings, SolverSettings, AmbientWind, Point, Arrow, Signal, Obstacle, Probe, Camera,
-                              TerrainSettings, GrassSettings>;
+using Owners = testing::Types<FieldSettings, SolverSettings, AmbientWind, Point, Arrow, Signal, Obstacle, Species,
+                              Collider, Probe, Camera, TerrainSettings, GrassSettings>;
 TYPED_TEST_SUITE(ParameterTables, Owners);
 
 }  // namespace

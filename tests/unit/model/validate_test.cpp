@@ -121,6 +121,8 @@ TEST(Parameters, DefaultsAreLegalAndExplained) {
   expectLegalDefaults<Arrow>();
   expectLegalDefaults<Signal>();
   expectLegalDefaults<Obstacle>();
+  expectLegalDefaults<Species>();
+  expectLegalDefaults<Collider>();
   expectLegalDefaults<Probe>();
   expectLegalDefaults<Camera>();
   expectLegalDefaults<TerrainSettings>();
@@ -211,6 +213,97 @@ TEST(Validate, RefusesCurvesThatCanNotBePlayed) {
   EXPECT_EQ(problemsWith({{0, 1}, {6, 0}}), Pointers{"/graph/signals/0/keys"});
 }
 
+TEST(Validate, SpeciesAndCollidersNeedTheFilesOfTheirMeshes) {
+  Project project;
+  Species tuft;
+  tuft.id = 1;
+  tuft.shape = PlantShape::Mesh;
+  Collider stone;
+  stone.id = 2;
+  stone.shape = ColliderShape::Mesh;
+  const auto pointers = [&] {
+    project.species = std::make_shared<std::vector<Species>>(1, tuft);
+    project.colliders = std::make_shared<std::vector<Collider>>(1, stone);
+    return pointersOf(project);
+  };
+  EXPECT_EQ(pointers(), (Pointers{"/species/0/file", "/colliders/0/file"}));
+  tuft.file = stone.file = "assets/thing.glb";
+  EXPECT_EQ(pointers(), Pointers{});
+  tuft.file = "../thing.glb";
+  stone.file = "/thing.glb";
+  EXPECT_EQ(pointers(), (Pointers{"/species/0/file", "/colliders/0/file"}));
+  tuft.shape = PlantShape::Daisy;
+  stone.shape = ColliderShape::Sphere;
+  EXPECT_EQ(pointers(), (Pointers{"/species/0/file", "/colliders/0/file"})) << "kept for when the shape comes back";
+}
+
+TEST(Validate, RefusesMapsOutsideTheProjectsFolder) {
+  Project project;
+  project.grass = changed(project.grass, [](GrassSettings& g) {
+    g.densityMap = "../mask.png";
+    g.heightMap = "assets/height.png";
+    g.colourMap = "a\\b.png";
+  });
+  EXPECT_EQ(pointersOf(project), (Pointers{"/grass/maps/density", "/grass/maps/colour"}));
+}
+
+TEST(Validate, RefusesCollidersThatCanNotMove) {
+  Project project;
+  Collider ball;
+  ball.id = 1;
+  const auto problemsWith = [&](std::vector<ColliderKey> keys) {
+    ball.keys = std::move(keys);
+    project.colliders = std::make_shared<std::vector<Collider>>(1, ball);
+    return pointersOf(project);
+  };
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN(), kInfinite = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(problemsWith({{0, {0, 0, 0}}, {1.5f, {-4, 0.5f, 3}}}), Pointers{});
+  EXPECT_EQ(problemsWith({{2, {}}}), Pointers{}) << "one key alone is a place";
+  EXPECT_EQ(problemsWith({{1, {}}, {1, {}}}), Pointers{"/colliders/0/keys/1"});
+  EXPECT_EQ(problemsWith({{1, {}}, {0.5f, {}}}), Pointers{"/colliders/0/keys/1"});
+  EXPECT_EQ(problemsWith({{-1, {}}}), Pointers{"/colliders/0/keys/0"});
+  EXPECT_EQ(problemsWith({{kNan, {}}}), Pointers{"/colliders/0/keys/0"});
+  EXPECT_EQ(problemsWith({{kInfinite, {}}}), Pointers{"/colliders/0/keys/0"});
+  EXPECT_EQ(problemsWith({{4000, {}}}), Pointers{"/colliders/0/keys/0"});
+  EXPECT_EQ(problemsWith({{0, {kNan, 0, 0}}}), Pointers{"/colliders/0/keys/0"});
+  EXPECT_EQ(problemsWith({{0, {0, kInfinite, 0}}}), Pointers{"/colliders/0/keys/0"});
+  EXPECT_EQ(problemsWith({{0, {0, 0, 2e5f}}}), Pointers{"/colliders/0/keys/0"});
+  std::vector<ColliderKey> many(kMaxColliderKeys + 1);
+  for (std::size_t i = 0; i < many.size(); ++i) many[i].time = 0.01f * static_cast<float>(i);
+  EXPECT_EQ(problemsWith(many), Pointers{"/colliders/0/keys"});
+}
+
+TEST(Validate, RefusesValuesOutOfRangeInSpeciesAndColliders) {
+  Project project;
+  Species daisy;
+  daisy.id = 1;
+  daisy.weight = -1;
+  daisy.tipColour.y = 1.5f;
+  Collider ball;
+  ball.id = 2;
+  ball.radius = 0;
+  ball.position.x = std::numeric_limits<float>::quiet_NaN();
+  project.species = std::make_shared<std::vector<Species>>(1, daisy);
+  project.colliders = std::make_shared<std::vector<Collider>>(1, ball);
+  project.grass = changed(project.grass, [](GrassSettings& g) {
+    g.swingDamping = 0;
+    g.interacting = 200'000;
+  });
+  EXPECT_EQ(pointersOf(project), (Pointers{"/grass/swing/damping", "/grass/interacting", "/species/0/weight",
+                                           "/species/0/colours/tip", "/colliders/0/position", "/colliders/0/radius"}));
+}
+
+TEST(Validate, IdsAreUniqueOverSpeciesAndCollidersToo) {
+  Project project = projectOf(line());
+  Species daisy;
+  daisy.id = 1;  // a point's
+  Collider ball;
+  ball.id = 60;
+  project.species = std::make_shared<std::vector<Species>>(1, daisy);
+  project.colliders = std::make_shared<std::vector<Collider>>(2, ball);
+  EXPECT_EQ(pointersOf(project), (Pointers{"/species/0/id", "/colliders/1/id"}));
+}
+
 TEST(Validate, RefusesACameraThatLooksAtItself) {
   Project project;
   Camera camera;
@@ -230,6 +323,11 @@ TEST(Validate, RefusesMoreRecordsThanThereMayBe) {
   Project project;
   project.probes = std::make_shared<std::vector<Probe>>(kMaxProbes + 1);
   EXPECT_EQ(pointersOf(project).front(), "/probes");
+  project.species = std::make_shared<std::vector<Species>>(kMaxSpecies + 1);
+  EXPECT_EQ(pointersOf(project).front(), "/species");
+  project.species = std::make_shared<std::vector<Species>>();
+  project.colliders = std::make_shared<std::vector<Collider>>(kMaxColliders + 1);
+  EXPECT_EQ(pointersOf(project).front(), "/colliders");
 }
 
 TEST(ValidateChange, ReadsWhatChangedAndWhatBindsItToTheRest) {

@@ -1,4 +1,4 @@
-#include "engine/io/terrain_copy.hpp"
+#include "engine/io/asset_copy.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -87,7 +87,20 @@ std::string numbered(const std::string& stem, int number) {
 
 }  // namespace
 
-Result<std::vector<std::string>> terrainCompanions(const fs::path& file) {
+std::vector<std::string> assetFiles(const Project& project) {
+  std::vector<std::string> files;
+  const auto add = [&](const std::string& file) {
+    if (!file.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
+  };
+  add(project.terrain->file);
+  for (const std::string& map : {project.grass->densityMap, project.grass->heightMap, project.grass->colourMap})
+    add(map);
+  for (const Species& species : *project.species) add(species.file);
+  for (const Collider& collider : *project.colliders) add(collider.file);
+  return files;
+}
+
+Result<std::vector<std::string>> assetCompanions(const fs::path& file) {
   std::vector<std::string> names;
   if (terrainKindOf(file) != TerrainKind::Mesh) return names;
   const Result<std::string> text = readFile(file, kMaxTerrainBytes);
@@ -104,7 +117,7 @@ Result<std::vector<std::string>> terrainCompanions(const fs::path& file) {
       const std::string& address = uri->get_ref<const std::string&>();
       if (address.starts_with("data:")) continue;
       const std::string name = decodeUri(address);
-      if (name.find(':') != name.npos || !terrainFileProblem(name).empty()) {
+      if (name.find(':') != name.npos || !assetFileProblem(name).empty()) {
         return makeError(ErrorKind::BadInput, file.string(), std::string("/") + list,
                          "refers to '" + address + "', expected files in its own folder: export it as one .glb file");
       }
@@ -114,9 +127,9 @@ Result<std::vector<std::string>> terrainCompanions(const fs::path& file) {
   return names;
 }
 
-Result<std::string> bringTerrainFile(const fs::path& file, const fs::path& projectFolder) {
+Result<std::string> bringAsset(const fs::path& file, const fs::path& projectFolder) {
   if (const std::string inside = pathBelow(file, projectFolder); !inside.empty()) return inside;
-  Result<std::vector<std::string>> companions = terrainCompanions(file);
+  Result<std::vector<std::string>> companions = assetCompanions(file);
   if (!companions) return companions.error();
   const fs::path from = file.parent_path();
   for (const std::string& name : *companions) {
@@ -141,22 +154,27 @@ Result<std::string> bringTerrainFile(const fs::path& file, const fs::path& proje
   return makeError(ErrorKind::BadInput, file.string(), {}, "can't be copied: too many files have its name in assets/");
 }
 
-Status copyTerrainAlong(const std::string& file, const fs::path& fromFolder, const fs::path& toFolder) {
+Status copyAssetsAlong(const std::vector<std::string>& files, const fs::path& fromFolder, const fs::path& toFolder) {
   std::error_code failed;
-  if (file.empty() || fs::equivalent(fromFolder, toFolder, failed) || !isThere(fromFolder / file)) return Done{};
-  const fs::path from = (fromFolder / file).parent_path(), to = (toFolder / file).parent_path();
-  std::vector<std::string> names;
-  if (Result<std::vector<std::string>> companions = terrainCompanions(fromFolder / file))
-    names = std::move(*companions);
-  std::erase_if(names, [&](const std::string& name) { return !isThere(from / name); });
-  names.push_back(fs::path(file).filename().string());
+  if (fs::equivalent(fromFolder, toFolder, failed)) return Done{};
+  std::vector<std::string> names;  // below either folder
+  for (const std::string& file : files) {
+    if (file.empty() || !isThere(fromFolder / file)) continue;
+    const fs::path folder = fs::path(file).parent_path();
+    if (const Result<std::vector<std::string>> companions = assetCompanions(fromFolder / file)) {
+      for (const std::string& name : *companions) {
+        if (isThere(fromFolder / folder / name)) names.push_back((folder / name).generic_string());
+      }
+    }
+    names.push_back(file);
+  }
   for (const std::string& name : names) {
-    if (isThere(to / name) && !sameFile(from / name, to / name)) {
-      return makeError(ErrorKind::BadInput, (to / name).string(), {},
-                       "is another file than the project's terrain: save into another folder, or move it away");
+    if (isThere(toFolder / name) && !sameFile(fromFolder / name, toFolder / name)) {
+      return makeError(ErrorKind::BadInput, (toFolder / name).string(), {},
+                       "is another file than the one that the project uses: save into another folder, or move it away");
     }
   }
-  return copyAll(from, to, names);
+  return copyAll(fromFolder, toFolder, names);
 }
 
 }  // namespace windloom

@@ -1,0 +1,157 @@
+#include "editor/core/asset_load.hpp"
+
+#include <algorithm>
+
+#include "engine/io/asset_copy.hpp"
+#include "engine/io/assets.hpp"
+#include "engine/io/plant_file.hpp"
+#include "engine/model/species_presets.hpp"
+
+namespace windloom::editor {
+namespace fs = std::filesystem;
+namespace {
+
+bool isMap(AssetUse use) {
+  return use != AssetUse::Species && use != AssetUse::Collider;
+}
+
+Result<std::string> bring(const fs::path& file, const fs::path& projectFile, const LoadWatch& watch) {
+  if (!watch("Bringing it into the project's folder")) return makeError(ErrorKind::Usage, "stopped");
+  std::error_code ignored;
+  return bringAsset(file, fs::absolute(projectFile, ignored).parent_path());
+}
+
+/// Copied only when it is known to be good.
+Result<LoadedAsset> load(const AssetTarget& target, const fs::path& file, const fs::path& projectFile,
+                         const LoadWatch& watch) {
+  LoadedAsset asset{target, nullptr, nullptr};
+  if (isMap(target.use)) {
+    const Result<std::shared_ptr<GrassMap>> map = readGrassMap(file);
+    if (!map) return map.error();
+    const Result<std::string> name = bring(file, projectFile, watch);
+    if (!name) return name.error();
+    (*map)->file = *name;
+    asset.map = *map;
+    return asset;
+  }
+  const Result<std::shared_ptr<PlantMesh>> mesh =
+      readPlantFile(file, target.use == AssetUse::Species ? MeshUse::Plant : MeshUse::Object);
+  if (!mesh) return mesh.error();
+  const Result<std::string> name = bring(file, projectFile, watch);
+  if (!name) return name.error();
+  (*mesh)->file = *name;
+  asset.mesh = *mesh;
+  return asset;
+}
+
+std::string GrassSettings::*nameOf(AssetUse use) {
+  return use == AssetUse::DensityMap  ? &GrassSettings::densityMap
+         : use == AssetUse::HeightMap ? &GrassSettings::heightMap
+                                      : &GrassSettings::colourMap;
+}
+std::shared_ptr<const GrassMap> GrassSettings::*pixelsOf(AssetUse use) {
+  return use == AssetUse::DensityMap  ? &GrassSettings::densityPixels
+         : use == AssetUse::HeightMap ? &GrassSettings::heightPixels
+                                      : &GrassSettings::colourPixels;
+}
+
+void give(Species& species, const LoadedAsset& asset) {
+  if (species.shape != PlantShape::Mesh) species.height = std::clamp(asset.mesh->high.y, 0.01f, 10.0f);
+  species.shape = PlantShape::Mesh;
+  species.file = asset.mesh->file;
+  species.mesh = asset.mesh;
+}
+void give(Collider& collider, const LoadedAsset& asset) {
+  collider.shape = ColliderShape::Mesh;
+  collider.file = asset.mesh->file;
+  collider.mesh = asset.mesh;
+}
+
+template <class Record>
+void giveEach(Edit& edit, const std::vector<Record>& records, const LoadedAsset& asset) {
+  for (Record record : records) {
+    if (std::ranges::find(asset.target.ids, record.id) == asset.target.ids.end()) continue;
+    give(record, asset);
+    edit.steps.emplace_back(Put<Record>{std::move(record)});
+  }
+}
+
+AddResult addWith(const Project& project, const LoadedAsset& asset) {
+  const std::string name = fs::path(asset.file()).stem().string();
+  if (asset.target.use == AssetUse::Species) {
+    Species species = speciesPreset(PlantShape::Mesh);
+    species.name = name;
+    species.shape = PlantShape::Blade;  // so that the mesh says how high it is
+    give(species, asset);
+    return addSpeciesEdit(project, std::move(species));
+  }
+  Collider collider;
+  collider.name = name;
+  collider.position = asset.target.place;
+  give(collider, asset);
+  return addColliderEdit(project, std::move(collider));
+}
+
+/// `ask` is asked about the target's first record; `none` where there is none.
+template <class Records, class Ask, class Answer>
+Answer ofFirst(const Records& records, const std::vector<Id>& ids, Ask&& ask, Answer none) {
+  for (const auto& record : records) {
+    if (std::ranges::find(ids, record.id) != ids.end()) return ask(record);
+  }
+  return none;
+}
+
+}  // namespace
+
+const char* assetEndings(AssetUse use) {
+  return isMap(use) ? ".png" : ".glb;.gltf";
+}
+
+void AssetLoad::start(AssetTarget target, const fs::path& file, const fs::path& projectFile) {
+  FileLoad::start(file, [target = std::move(target), file, projectFile](const LoadWatch& watch) {
+    return load(target, file, projectFile, watch);
+  });
+}
+
+AddResult assetEdit(const Project& project, const LoadedAsset& asset) {
+  const AssetTarget& target = asset.target;
+  if (isMap(target.use)) {
+    GrassSettings grass = *project.grass;
+    grass.*nameOf(target.use) = asset.map->file;
+    grass.*pixelsOf(target.use) = asset.map;
+    return {{.label = "Set map", .steps = {Set<GrassSettings>{std::move(grass)}}, .mergeKey = {}}, 0};
+  }
+  if (target.ids.empty()) return addWith(project, asset);
+  AddResult result{{.label = "Set file", .steps = {}, .mergeKey = {}}, 0};
+  if (target.use == AssetUse::Species) {
+    giveEach(result.edit, *project.species, asset);
+  } else {
+    giveEach(result.edit, *project.colliders, asset);
+  }
+  return result;
+}
+
+Edit clearMapEdit(const Project& project, AssetUse map) {
+  Edit edit{.label = "Clear map", .steps = {}, .mergeKey = {}};
+  GrassSettings grass = *project.grass;
+  if ((grass.*nameOf(map)).empty()) return edit;
+  (grass.*nameOf(map)).clear();
+  edit.steps.emplace_back(Set<GrassSettings>{std::move(grass)});
+  return edit;
+}
+
+std::string assetFileOf(const Project& project, const AssetTarget& target) {
+  const auto file = [](const auto& record) { return record.file; };
+  if (target.use == AssetUse::Species) return ofFirst(*project.species, target.ids, file, std::string());
+  if (target.use == AssetUse::Collider) return ofFirst(*project.colliders, target.ids, file, std::string());
+  return (*project.grass).*nameOf(target.use);
+}
+
+bool isAssetRead(const Project& project, const AssetTarget& target) {
+  const auto read = [](const auto& record) { return record.file.empty() || record.mesh != nullptr; };
+  if (target.use == AssetUse::Species) return ofFirst(*project.species, target.ids, read, true);
+  if (target.use == AssetUse::Collider) return ofFirst(*project.colliders, target.ids, read, true);
+  return ((*project.grass).*nameOf(target.use)).empty() || (*project.grass).*pixelsOf(target.use) != nullptr;
+}
+
+}  // namespace windloom::editor

@@ -1,0 +1,17 @@
+#pragma once
+// The inspector's grass tab: the meadow's settings in groups.
+
+#include <functional>
+
+#include "editor/core/inspector.hpp"
+#include "editor/panels/asset_chooser.hpp"
+#include "editor/panels/panel_context.hpp"
+#include "editor/widgets/parameter_row.hpp"
+
+namespace windloom::editor {
+
+/// `apply` takes over a change of any row but the maps.
+void drawGrass(PanelContext& context, AssetChooser& assets,
+               const std::function<void(const InspectorSection&, const InspectorRow&, const RowChange&)>& apply);
+
+}  // namespace windloom::editor

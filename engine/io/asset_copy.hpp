@@ -1,0 +1,33 @@
+#pragma once
+// Files that a project uses (its terrain, plants, colliders, maps) belong to its folder: what lies elsewhere is copied
+// there, and goes along when the project is saved into another folder. A different file is never written over.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "engine/core/result.hpp"
+#include "engine/model/project.hpp"
+
+namespace windloom {
+
+/// The files that a project names, each once, in the order of the project file: terrain, grass maps, species,
+/// colliders.
+std::vector<std::string> assetFiles(const Project& project);
+
+/// The files that a file needs, relative to its folder: the buffers and pictures of a .gltf. Fails with BadInput where
+/// it can't be read or refers to files outside its folder or by a web address, naming them.
+Result<std::vector<std::string>> assetCompanions(const std::filesystem::path& file);
+
+/// The path of `file` as a project names it. A file outside the project's folder is copied to `assets/` in it, under a
+/// number where another file has the name; a .gltf with companions gets a folder of its own there. Fails with BadInput
+/// as assetCompanions or where a companion is missing, with Machine where copying does.
+Result<std::string> bringAsset(const std::filesystem::path& file, const std::filesystem::path& projectFolder);
+
+/// Copies files of a project (names as assetFiles gives them) and their companions to the same places below another
+/// folder. Files missing at the source are left out. Fails with BadInput where a different file is there, before
+/// anything is copied, with Machine where copying does.
+Status copyAssetsAlong(const std::vector<std::string>& files, const std::filesystem::path& fromFolder,
+                       const std::filesystem::path& toFolder);
+
+}  // namespace windloom

@@ -1,0 +1,147 @@
+#include "engine/io/assets.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/io/image.hpp"
+#include "engine/io/plant_file.hpp"
+
+namespace windloom {
+namespace fs = std::filesystem;
+namespace {
+
+/// Reads each file once and keeps what went wrong.
+class Loader {
+ public:
+  explicit Loader(const fs::path& projectFile) : m_projectFile(projectFile) {}
+
+  void know(MeshUse use, const std::shared_ptr<const PlantMesh>& mesh) {
+    if (mesh) m_meshes[{use, mesh->file}] = mesh;
+  }
+  void know(const std::shared_ptr<const GrassMap>& map) {
+    if (map) m_maps[map->file] = map;
+  }
+
+  /// True where `mesh` was changed.
+  bool fill(std::shared_ptr<const PlantMesh>& mesh, const std::string& file, MeshUse use, const std::string& pointer) {
+    if (mesh && mesh->file == file) return false;
+    auto& known = m_meshes[{use, file}];
+    if (!known) {
+      Result<std::shared_ptr<PlantMesh>> read = readPlantFile(pathOf(file), use);
+      if (!read) return note(read.error(), pointer);
+      (*read)->file = file;
+      known = *read;
+    }
+    mesh = known;
+    return true;
+  }
+
+  bool fill(std::shared_ptr<const GrassMap>& map, const std::string& file, const std::string& pointer) {
+    if (file.empty()) return std::exchange(map, nullptr) != nullptr;
+    if (map && map->file == file) return false;
+    auto& known = m_maps[file];
+    if (!known) {
+      Result<std::shared_ptr<GrassMap>> read = readGrassMap(pathOf(file));
+      if (!read) return note(read.error(), pointer);
+      (*read)->file = file;
+      known = *read;
+    }
+    map = known;
+    return true;
+  }
+
+  Status finish() {
+    if (m_problems.empty()) return Done{};
+    return Error{ErrorKind::BadInput, std::move(m_problems)};
+  }
+
+ private:
+  fs::path pathOf(const std::string& file) const { return m_projectFile.parent_path() / fs::path(file); }
+
+  bool note(const Error& error, const std::string& pointer) {
+    for (const Problem& problem : error.problems)
+      m_problems.push_back({m_projectFile.string(), pointer, problem.text()});
+    return false;
+  }
+
+  fs::path m_projectFile;
+  std::map<std::pair<MeshUse, std::string>, std::shared_ptr<const PlantMesh>> m_meshes;
+  std::map<std::string, std::shared_ptr<const GrassMap>> m_maps;
+  std::vector<Problem> m_problems;
+};
+
+void fillSpecies(Project& project, Loader& loader) {
+  std::vector<Species> all = *project.species;
+  for (const Species& one : all) {
+    if (one.shape == PlantShape::Mesh) loader.know(MeshUse::Plant, one.mesh);
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].shape != PlantShape::Mesh) continue;
+    changed |= loader.fill(all[i].mesh, all[i].file, MeshUse::Plant, "/species/" + std::to_string(i) + "/file");
+  }
+  if (changed) project.species = std::make_shared<std::vector<Species>>(std::move(all));
+}
+
+void fillColliders(Project& project, Loader& loader) {
+  std::vector<Collider> all = *project.colliders;
+  for (const Collider& one : all) {
+    if (one.shape == ColliderShape::Mesh) loader.know(MeshUse::Object, one.mesh);
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].shape != ColliderShape::Mesh) continue;
+    changed |= loader.fill(all[i].mesh, all[i].file, MeshUse::Object, "/colliders/" + std::to_string(i) + "/file");
+  }
+  if (changed) project.colliders = std::make_shared<std::vector<Collider>>(std::move(all));
+}
+
+void fillMaps(Project& project, Loader& loader) {
+  GrassSettings grass = *project.grass;
+  for (const auto& map : {grass.densityPixels, grass.heightPixels, grass.colourPixels}) loader.know(map);
+  bool changed = loader.fill(grass.densityPixels, grass.densityMap, "/grass/maps/density");
+  changed |= loader.fill(grass.heightPixels, grass.heightMap, "/grass/maps/height");
+  changed |= loader.fill(grass.colourPixels, grass.colourMap, "/grass/maps/colour");
+  if (changed) project.grass = std::make_shared<GrassSettings>(std::move(grass));
+}
+
+std::uint8_t meanByte(double sum, int count) {
+  return static_cast<std::uint8_t>(std::clamp(std::lround(sum / count * (255.0 / 65535.0)), 0l, 255l));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<GrassMap>> readGrassMap(const fs::path& file) {
+  const Result<Image16> image = readPng16(file);
+  if (!image) return image.error();
+  auto map = std::make_shared<GrassMap>();
+  const int factor = (std::max(image->width, image->height) + kMaxGrassMap - 1) / kMaxGrassMap;
+  map->size = {(image->width + factor - 1) / factor, (image->height + factor - 1) / factor};
+  map->pixels.reserve(static_cast<std::size_t>(map->size.x) * static_cast<std::size_t>(map->size.y) * 4);
+  for (int y = 0; y < map->size.y; ++y) {
+    for (int x = 0; x < map->size.x; ++x) {
+      double sum[4] = {};
+      int count = 0;
+      for (int v = y * factor; v < std::min((y + 1) * factor, image->height); ++v) {
+        for (int u = x * factor; u < std::min((x + 1) * factor, image->width); ++u, ++count) {
+          const std::uint16_t* in = image->at(u, v);
+          for (int c = 0; c < 3; ++c) sum[c] += image->channels == 1 ? in[0] : in[c];
+          sum[3] += image->channels == 4 ? in[3] : 65535.0;
+        }
+      }
+      for (const double one : sum) map->pixels.push_back(meanByte(one, count));
+    }
+  }
+  return map;
+}
+
+Status loadAssets(Project& project, const fs::path& projectFile) {
+  Loader loader(projectFile);
+  fillSpecies(project, loader);
+  fillColliders(project, loader);
+  fillMaps(project, loader);
+  return loader.finish();
+}
+
+}  // namespace windloom

@@ -1,0 +1,22 @@
+#pragma once
+// The files that a project's meadow and colliders are made of: meshes of species and colliders, maps over the field.
+
+#include <filesystem>
+#include <memory>
+
+#include "engine/core/result.hpp"
+#include "engine/model/project.hpp"
+
+namespace windloom {
+
+/// A PNG picture (8 or 16 bit) for GrassSettings: black and white, or colours. One larger than kMaxGrassMap a side is
+/// made smaller by averaging. `file` of the map stays empty. Fails with BadInput, the file named, where it is missing,
+/// damaged or no PNG.
+Result<std::shared_ptr<GrassMap>> readGrassMap(const std::filesystem::path& file);
+
+/// Fills in Species::mesh, Collider::mesh and the pixels of GrassSettings of a project of this file. What is loaded
+/// already under the same name is shared, not read again. Fails with BadInput, one problem for each file that couldn't
+/// be read, at its place ("/species/2/file"); that mesh or map then stays as it was and all others are filled in.
+Status loadAssets(Project& project, const std::filesystem::path& projectFile);
+
+}  // namespace windloom

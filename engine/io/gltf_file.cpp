@@ -1,0 +1,225 @@
+#include "engine/io/gltf_file.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/quaternion.hpp>
+
+#include "engine/core/file.hpp"
+
+namespace windloom::gltf {
+namespace fs = std::filesystem;
+namespace {
+
+struct Reach {
+  fs::path folder;
+  Pictures pictures;
+};
+
+bool isPicture(const fs::path& path) {
+  const std::string ending = path.extension().string();
+  return ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".webp" || ending == ".ktx2";
+}
+
+bool mayRead(const std::string& name, void* data) {
+  const auto& reach = *static_cast<const Reach*>(data);
+  const fs::path path = fs::path(name).lexically_normal();
+  const fs::path relative = path.lexically_relative(reach.folder);
+  std::error_code ignored;
+  return path.is_absolute() && !relative.empty() && *relative.begin() != ".." &&
+         (reach.pictures == Pictures::Keep || !isPicture(path)) && fs::is_regular_file(path, ignored);
+}
+
+bool readWhole(std::vector<unsigned char>* out, std::string* problem, const std::string& name, void*) {
+  const Result<std::string> bytes = readFile(name, kMaxBytes);
+  if (!bytes) {
+    if (problem != nullptr) *problem = bytes.error().text();
+    return false;
+  }
+  out->assign(bytes->begin(), bytes->end());
+  return true;
+}
+
+bool takePicture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+                 int size, void* data) {
+  if (static_cast<const Reach*>(data)->pictures == Pictures::Keep && size > 0) image->image.assign(bytes, bytes + size);
+  return true;
+}
+
+std::string oneLine(std::string text) {
+  while (!text.empty() && text.back() == '\n') text.pop_back();
+  std::ranges::replace(text, '\n', ' ');
+  return text;
+}
+
+bool inside(int index, std::size_t count) {
+  return index >= 0 && static_cast<std::size_t>(index) < count;
+}
+
+std::string amount(std::size_t count) {
+  return count % 1'000'000 == 0 ? std::to_string(count / 1'000'000) + " million" : std::to_string(count);
+}
+
+glm::dmat4 transformOf(const tinygltf::Node& node) {
+  glm::dmat4 own(1.0);
+  if (node.matrix.size() == 16) {
+    for (int i = 0; i < 16; ++i) own[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+    return own;
+  }
+  if (node.translation.size() == 3)
+    own = glm::translate(own, {node.translation[0], node.translation[1], node.translation[2]});
+  if (node.rotation.size() == 4)
+    own *= glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
+  if (node.scale.size() == 3) own = glm::scale(own, {node.scale[0], node.scale[1], node.scale[2]});
+  return own;
+}
+
+Result<std::vector<int>> rootsOf(const tinygltf::Model& model, const fs::path& file) {
+  std::vector<int> roots;
+  if (model.scenes.empty()) {
+    for (std::size_t i = 0; i < model.nodes.size(); ++i) roots.push_back(static_cast<int>(i));
+    return roots;
+  }
+  const int wanted = model.defaultScene >= 0 ? model.defaultScene : 0;
+  if (!inside(wanted, model.scenes.size())) return refuse(file, "has no scene " + std::to_string(wanted));
+  return model.scenes[static_cast<std::size_t>(wanted)].nodes;
+}
+
+}  // namespace
+
+Error refuse(const fs::path& file, std::string message) {
+  return makeError(ErrorKind::BadInput, file.string(), {}, std::move(message));
+}
+
+Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures) {
+  const Result<std::string> bytes = readFile(file, kMaxBytes);
+  if (!bytes) return bytes.error();
+  std::error_code ignored;
+  Reach reach{fs::absolute(file, ignored).lexically_normal().parent_path(), pictures};
+  tinygltf::TinyGLTF loader;
+  tinygltf::FsCallbacks files{};
+  files.FileExists = mayRead;
+  files.ExpandFilePath = [](const std::string& name, void*) { return name; };
+  files.ReadWholeFile = readWhole;
+  files.user_data = &reach;
+  loader.SetFsCallbacks(files);
+  loader.SetImageLoader(takePicture, &reach);
+  tinygltf::Model model;
+  std::string problem, warning;
+  const auto size = static_cast<unsigned>(bytes->size());
+  const std::string folder = reach.folder.string();
+  const bool binary = bytes->starts_with("glTF");
+  const bool good =
+      binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
+                                           reinterpret_cast<const unsigned char*>(bytes->data()), size, folder)
+             : loader.LoadASCIIFromString(&model, &problem, &warning, bytes->data(), size, folder);
+  if (!good)
+    return refuse(file, "is no glTF file that can be read: " + oneLine(problem.empty() ? "it is damaged" : problem));
+  for (const std::string& extension : model.extensionsRequired) {
+    if (extension.starts_with("KHR_texture") || extension.starts_with("KHR_materials")) continue;
+    return refuse(file, "needs the glTF extension " + extension + ", which can't be read: export it without");
+  }
+  return model;
+}
+
+Result<std::vector<PlacedMesh>> meshesOfScene(const tinygltf::Model& model, const fs::path& file) {
+  const Result<std::vector<int>> roots = rootsOf(model, file);
+  if (!roots) return roots.error();
+  std::vector<std::pair<int, glm::dmat4>> open;
+  for (const int root : *roots) open.emplace_back(root, glm::dmat4(1.0));
+  std::vector<bool> seen(model.nodes.size());
+  std::vector<PlacedMesh> placed;
+  while (!open.empty()) {
+    const auto [index, parent] = open.back();
+    open.pop_back();
+    if (!inside(index, model.nodes.size()))
+      return refuse(file, "refers to node " + std::to_string(index) + ", which is not there");
+    // A node has one parent; a ring would never end.
+    if (seen[static_cast<std::size_t>(index)]) continue;
+    seen[static_cast<std::size_t>(index)] = true;
+    const tinygltf::Node& node = model.nodes[static_cast<std::size_t>(index)];
+    const glm::dmat4 world = parent * transformOf(node);
+    if (node.mesh >= 0) {
+      if (!inside(node.mesh, model.meshes.size()))
+        return refuse(file, "refers to mesh " + std::to_string(node.mesh) + ", which is not there");
+      placed.push_back({static_cast<std::size_t>(node.mesh), world});
+    }
+    for (const int child : node.children) open.emplace_back(child, world);
+  }
+  return placed;
+}
+
+bool isTriangles(const tinygltf::Primitive& primitive) {
+  return primitive.mode == TINYGLTF_MODE_TRIANGLES || primitive.mode == -1;
+}
+
+Result<Elements> elementsOf(const tinygltf::Model& model, int accessorIndex, std::size_t elementBytes, std::size_t most,
+                            const fs::path& file) {
+  const std::string name = "accessor " + std::to_string(accessorIndex);
+  if (!inside(accessorIndex, model.accessors.size())) return refuse(file, "refers to " + name + ", which is not there");
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(accessorIndex)];
+  if (accessor.sparse.isSparse) return refuse(file, "has a sparse " + name + ", which can't be read");
+  if (!inside(accessor.bufferView, model.bufferViews.size())) return refuse(file, name + " has no buffer view");
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(accessor.bufferView)];
+  if (!inside(view.buffer, model.buffers.size())) return refuse(file, name + " refers to a buffer that is not there");
+  const std::vector<unsigned char>& data = model.buffers[static_cast<std::size_t>(view.buffer)].data;
+  if (accessor.count > most) {
+    return refuse(file, "has " + std::to_string(accessor.count) + " elements in " + name + ", more than can be read");
+  }
+  const std::size_t stride = view.byteStride != 0 ? view.byteStride : elementBytes;
+  const std::size_t needed = accessor.count == 0 ? 0 : (accessor.count - 1) * stride + elementBytes;
+  const bool fits = accessor.byteOffset <= view.byteLength && needed <= view.byteLength - accessor.byteOffset &&
+                    view.byteOffset <= data.size() && view.byteLength <= data.size() - view.byteOffset;
+  if (!fits) return refuse(file, name + " reaches beyond its buffer");
+  return Elements{data.data() + view.byteOffset + accessor.byteOffset, accessor.count, stride};
+}
+
+Status appendIndices(const tinygltf::Model& model, int accessorIndex, std::size_t first, std::size_t vertices,
+                     std::size_t most, const fs::path& file, std::vector<std::uint32_t>& into) {
+  if (accessorIndex < 0) {
+    for (std::size_t i = 0; i < vertices - vertices % 3; ++i) into.push_back(static_cast<std::uint32_t>(first + i));
+    return Done{};
+  }
+  if (!inside(accessorIndex, model.accessors.size()))
+    return refuse(file, "refers to accessor " + std::to_string(accessorIndex) + ", which is not there");
+  const int type = model.accessors[static_cast<std::size_t>(accessorIndex)].componentType;
+  const std::size_t size = type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE    ? 1
+                           : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ? 2
+                           : type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT   ? 4
+                                                                            : 0;
+  if (size == 0) return refuse(file, "has indices that are no unsigned whole numbers");
+  const Result<Elements> elements = elementsOf(model, accessorIndex, size, kMaxBytes, file);
+  if (!elements) return elements.error();
+  if (into.size() + elements->count > most) return refuse(file, "has more than " + amount(most / 3) + " triangles");
+  for (std::size_t i = 0; i < elements->count - elements->count % 3; ++i) {
+    std::uint32_t index = 0;  // little endian, as the file is
+    std::memcpy(&index, elements->bytes + i * elements->stride, size);
+    if (index >= vertices) {
+      return refuse(file, "has the index " + std::to_string(index) + ", but its mesh has only " +
+                              std::to_string(vertices) + " vertices");
+    }
+    into.push_back(static_cast<std::uint32_t>(first) + index);
+  }
+  return Done{};
+}
+
+Status appendPositions(const tinygltf::Model& model, int accessorIndex, const glm::dmat4& world, std::size_t most,
+                       const fs::path& file, std::vector<glm::vec3>& into) {
+  const Result<Elements> places = elementsOf(model, accessorIndex, 3 * sizeof(float), kMaxBytes, file);
+  if (!places) return places.error();
+  const tinygltf::Accessor& accessor = model.accessors[static_cast<std::size_t>(accessorIndex)];
+  if (accessor.componentType != TINYGLTF_COMPONENT_TYPE_FLOAT || accessor.type != TINYGLTF_TYPE_VEC3)
+    return refuse(file, "has positions that are not three floats each");
+  if (into.size() + places->count > most) return refuse(file, "has more than " + amount(most) + " vertices");
+  for (std::size_t i = 0; i < places->count; ++i) {
+    float xyz[3];
+    std::memcpy(xyz, places->bytes + i * places->stride, sizeof xyz);
+    const glm::vec3 at(world * glm::dvec4(xyz[0], xyz[1], xyz[2], 1.0));
+    if (!(glm::length(at) < 1e9f))
+      return refuse(file, "has a vertex (" + std::to_string(i) + ") that is nowhere: not finite or too far");
+    into.push_back(at);
+  }
+  return Done{};
+}
+
+}  // namespace windloom::gltf

@@ -1,0 +1,26 @@
+#pragma once
+// Plants, tufts and things that move through the grass, from glTF 2.0 files (.glb, .gltf).
+//
+// All triangles of the default scene count, placed by their nodes; y is up, the origin is the root. Normals that are
+// missing are made. Colour is the base colour factor times COLOR_0 times the base colour texture (PNG or JPEG); several
+// textures are packed into one, and then can't repeat. Alpha is tested, not blended. Not read: skins, morphs,
+// animation, points and lines.
+
+#include <filesystem>
+#include <memory>
+
+#include "engine/core/result.hpp"
+#include "engine/model/plant_mesh.hpp"
+
+namespace windloom {
+
+enum class MeshUse {
+  Plant,   ///< at most kMaxPlantTriangles; must rise over its root
+  Object,  ///< at most kMaxObjectTriangles; gets spheres, no texture
+};
+
+/// `file` of the mesh stays empty. Fails with BadInput, the file named, where it is missing, damaged, empty or over a
+/// limit.
+Result<std::shared_ptr<PlantMesh>> readPlantFile(const std::filesystem::path& file, MeshUse use);
+
+}  // namespace windloom

@@ -1,0 +1,187 @@
+#include "engine/render/collider_pass.hpp"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+#include "engine/gpu/debug_group.hpp"
+#include "engine/model/collider_motion.hpp"
+#include "engine/render/render_programs.hpp"
+#include "shaders/shared/render_bindings.h"
+
+namespace windloom {
+namespace {
+
+constexpr int kSectors = 64, kRings = 33;   // as in shaders/terrain/collider.vert, the joint of a capsule included
+constexpr std::size_t kCapsuleSpheres = 4;  // that stand for a capsule in the shades
+constexpr std::size_t kMeshSpheres = 16;    // and for a mesh
+constexpr float kCoverReach = 4.0f;         // radii: beyond it a sphere covers less than 2% of a blade's sky
+constexpr float kLongestShadowM = 30.0f;
+
+void addSpheres(const ColliderPrimitive& part, std::vector<glm::vec4>& spheres) {
+  const glm::vec3 a(part.a), b(part.b);
+  const float length = glm::distance(a, b), radius = part.a.w;
+  const std::size_t count = std::min(kCapsuleSpheres, 1 + static_cast<std::size_t>(std::ceil(length / radius)));
+  for (std::size_t i = 0; i < count; ++i) {
+    const float t = count > 1 ? float(i) / float(count - 1) : 0.0f;
+    spheres.emplace_back(glm::mix(a, b, t), radius);
+  }
+}
+
+std::vector<glm::vec4> spheresOf(const Collider& collider, const HeightField* ground, double seconds) {
+  Collider touching = collider;  // what is muted takes light, too
+  touching.muted = false;
+  std::vector<ColliderPrimitive> parts = colliderPrimitives(touching, ground, seconds);
+  std::ranges::stable_sort(parts, std::greater{}, [](const ColliderPrimitive& part) { return part.a.w; });
+  if (parts.size() > kMeshSpheres) parts.resize(kMeshSpheres);
+  std::vector<glm::vec4> spheres;
+  for (const ColliderPrimitive& part : parts) addSpheres(part, spheres);
+  return spheres;
+}
+
+/// Where a sphere takes light: around it and down its shadow.
+void addReach(glm::vec4 sphere, float groundM, glm::vec3 sunDirection, ColliderShadeBlock& block) {
+  const glm::vec3 centre(sphere);
+  const float drop = std::max(centre.y - groundM, 0.0f) + 2.0f * sphere.w;  // to ground that falls away a little
+  const glm::vec3 shadow = centre - sunDirection * std::min(drop / std::max(sunDirection.y, 0.05f), kLongestShadowM);
+  const float reach = kCoverReach * sphere.w;
+  block.low = glm::vec4(glm::min(glm::vec3(block.low), glm::min(centre, shadow) - reach), block.low.w);
+  block.high = glm::vec4(glm::max(glm::vec3(block.high), glm::max(centre, shadow) + reach), 0.0f);
+}
+
+}  // namespace
+
+ColliderShadeBlock makeColliderShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection) {
+  const HeightField* ground = project.terrain->heights.get();
+  std::vector<glm::vec4> spheres;
+  for (const Collider& collider : *project.colliders) {
+    if (collider.hidden) continue;
+    const std::vector<glm::vec4> own = spheresOf(collider, ground, seconds);
+    spheres.insert(spheres.end(), own.begin(), own.end());
+  }
+  if (spheres.size() > COLLIDER_SHADE_SPHERES) {
+    std::ranges::stable_sort(spheres, {}, [eye](glm::vec4 s) { return glm::distance(glm::vec3(s), eye) - s.w; });
+    spheres.resize(COLLIDER_SHADE_SPHERES);
+  }
+  ColliderShadeBlock block{};
+  block.low = glm::vec4(glm::vec3(1e9f), static_cast<float>(spheres.size()));
+  block.high = glm::vec4(glm::vec3(-1e9f), 0.0f);
+  for (std::size_t i = 0; i < spheres.size(); ++i) {
+    block.spheres[i] = spheres[i];
+    const glm::vec2 place(spheres[i].x, spheres[i].z);
+    addReach(spheres[i], ground != nullptr ? heightAt(*ground, place) : 0.0f, sunDirection, block);
+  }
+  return block;
+}
+
+Result<ColliderPass> ColliderPass::create(gpu::ShaderLibrary& shaders) {
+  ColliderPass pass;
+  if (Status loaded =
+          loadPrograms(shaders, {{"terrain/collider", &pass.m_drawShape}, {"terrain/collider mesh", &pass.m_drawMesh}});
+      !loaded) {
+    return loaded.error();
+  }
+  Result<gpu::Texture> white = gpu::Texture::create2D("collider white", {1, 1}, GL_RGBA8);
+  if (!white) return white.error();
+  pass.m_white = std::move(*white);
+  const std::uint8_t pixel[4] = {255, 255, 255, 255};
+  pass.m_white.upload(GL_RGBA, GL_UNSIGNED_BYTE, pixel);
+  Result<gpu::Buffer> shades =
+      gpu::Buffer::create("collider shades", sizeof(ColliderShadeBlock), gpu::BufferUse::Dynamic);
+  if (!shades) return shades.error();
+  pass.m_shades = std::move(*shades);
+  pass.m_noVertices = gpu::VertexArray::create("colliders");
+  return pass;
+}
+
+Result<ColliderPass::Object> ColliderPass::makeObject(const std::shared_ptr<const PlantMesh>& mesh) {
+  Object object;
+  object.mesh = mesh;
+  Result<gpu::Buffer> vertices = gpu::Buffer::create("collider vertices", std::span<const PlantVertex>(mesh->vertices));
+  if (!vertices) return vertices.error();
+  Result<gpu::Buffer> indices = gpu::Buffer::create("collider indices", std::span<const std::uint32_t>(mesh->indices));
+  if (!indices) return indices.error();
+  object.vertices = std::move(*vertices);
+  object.indices = std::move(*indices);
+  object.array = gpu::VertexArray::create("collider mesh");
+  object.array.vertexBuffer(0, object.vertices, sizeof(PlantVertex));
+  object.array.floats(0, 0, 3, offsetof(PlantVertex, position));
+  object.array.floats(1, 0, 3, offsetof(PlantVertex, normal));
+  object.array.floats(2, 0, 2, offsetof(PlantVertex, uv));
+  object.array.floats(3, 0, 4, offsetof(PlantVertex, colour));
+  object.array.indexBuffer(object.indices);
+  if (mesh->texture.empty()) return object;
+  Result<gpu::Texture> texture = gpu::Texture::create2D(
+      "collider texture", mesh->textureSize, GL_SRGB8_ALPHA8,
+      {.levels = 0, .filter = gpu::Filter::Trilinear, .wrap = gpu::Wrap::Repeat, .anisotropy = 8.0f});
+  if (!texture) return texture.error();
+  object.texture = std::move(*texture);
+  object.texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, mesh->texture.data());
+  object.texture.generateMipmaps();
+  return object;
+}
+
+Status ColliderPass::configure(const std::vector<Collider>& colliders) {
+  std::vector<Object> objects;
+  for (const Collider& collider : colliders) {
+    const auto& mesh = collider.mesh;
+    if (collider.shape != ColliderShape::Mesh || !mesh || mesh->indices.empty()) continue;
+    if (std::ranges::find(objects, mesh, &Object::mesh) != objects.end()) continue;
+    const auto kept = std::ranges::find(m_objects, mesh, &Object::mesh);
+    if (kept != m_objects.end()) {
+      objects.push_back(std::move(*kept));
+      kept->mesh.reset();
+      continue;
+    }
+    Result<Object> made = makeObject(mesh);
+    if (!made) return made.error();
+    objects.push_back(std::move(*made));
+  }
+  m_objects = std::move(objects);
+  return Done{};
+}
+
+void ColliderPass::bindShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection) {
+  const ColliderShadeBlock block = makeColliderShades(project, seconds, eye, sunDirection);
+  m_shades.write(&block, sizeof block);
+  m_shades.bindUniform(RENDER_UBO_COLLIDERS);
+}
+
+void ColliderPass::drawShape(const Collider& collider, const glm::mat4& world) const {
+  m_drawShape->use();
+  m_noVertices.bind();
+  m_drawShape->set("world", world);
+  const float length = collider.shape == ColliderShape::Capsule ? collider.length : 0.0f;
+  m_drawShape->set("shape", glm::vec2(collider.radius, length));
+  glDrawArrays(GL_TRIANGLES, 0, kSectors * kRings * 6);
+}
+
+void ColliderPass::drawMesh(const Collider& collider, const glm::mat4& world) const {
+  const auto object = std::ranges::find(m_objects, collider.mesh, &Object::mesh);
+  if (object == m_objects.end()) return;  // not read yet
+  m_drawMesh->use();
+  object->array.bind();
+  m_drawMesh->set("world", world);
+  m_drawMesh->set("cutoff", collider.mesh->alphaCutoff);
+  (object->texture.name() != 0 ? object->texture : m_white).bind(RENDER_TEXTURE_COLLIDER);
+  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(collider.mesh->indices.size()), GL_UNSIGNED_INT, nullptr);
+}
+
+void ColliderPass::draw(const gpu::PassState& state, const Project& project, double seconds) const {
+  if (project.colliders->empty()) return;
+  const gpu::DebugGroup group("colliders");
+  gpu::apply(state);
+  for (const Collider& collider : *project.colliders) {
+    if (collider.hidden) continue;
+    const glm::mat4 world = colliderPose(collider, project.terrain->heights.get(), seconds).world;
+    if (collider.shape == ColliderShape::Mesh) {
+      drawMesh(collider, world);
+    } else {
+      drawShape(collider, world);
+    }
+  }
+}
+
+}  // namespace windloom

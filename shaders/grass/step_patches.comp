@@ -1,0 +1,129 @@
+#version 450 core
+// Blades of patches, after Belyaev, Laevsky & Chukanov 2011: what bent them fades as a damped swing around the pose that
+// they have in a block, so that a patch which has settled looks as its block does; then they are bent out of all that
+// touches them, and what was bent stands still.
+#include "shaders/include/frame.glsl"
+#include "shaders/include/noise.glsl"
+#include "shaders/include/ground.glsl"
+#include "shaders/include/wind_field.glsl"
+#include "shaders/include/meadow.glsl"
+#include "shaders/include/grass_tiles.glsl"
+#include "shaders/include/solids.glsl"
+#include "shaders/include/grass_blades.glsl"
+#include "shaders/include/virtual_wind.glsl"
+#include "shaders/include/blade_chain.glsl"
+#include "shaders/include/blade_pose.glsl"
+#define PATCH_STATE_ACCESS
+#include "shaders/include/grass_patches.glsl"
+#include "shaders/shared/chain_contact.h"
+
+layout(local_size_x = PATCH_GROUP) in;
+layout(std430, binding = RENDER_SSBO_PATCHES) readonly buffer Patches { GrassPatch patches[]; };
+layout(std430, binding = RENDER_SSBO_PRIMITIVES) readonly buffer Primitives { ColliderPrimitive primitives[]; };
+
+uniform float dtSeconds;
+uniform float swingStiffness;  // k/J, 1/s^2
+uniform float swingDamping;    // 1/s
+uniform int primitiveCount;
+
+// A blade swings a little faster or slower than the meadow's mean, so that trampled grass doesn't rise in step.
+float ownRate(uint state) { return 0.85 + 0.3 * hashToUnit(pcgHash(state ^ 0x7f4a7c15u)); }
+
+// Spring and damping of one joint over the step.
+vec4 swung(vec4 joint, float rate, float keep) {
+  vec3 psi = vec3(joint.x, 0.0, joint.y) * keep;
+  vec3 omega = vec3(joint.z, 0.0, joint.w) * keep;
+  if (psi == vec3(0.0) && omega == vec3(0.0)) return vec4(0.0);
+  float stiffness = swingStiffness * rate * rate;
+  int parts = dtSeconds > 0.0 ? chainParts(dtSeconds, stiffness) : 0;
+  for (int part = 0; part < parts; ++part) {
+    float dt = dtSeconds / float(parts);
+    vec3 mean = chainMeanOmega(psi, omega, vec3(0.0), stiffness, swingDamping * rate, dt);
+    omega = 2.0 * mean - omega;
+    psi += mean * dt;
+  }
+  return vec4(psi.xz, omega.xz);
+}
+
+// A primitive as the blade sees it.
+ColliderPrimitive seenFrom(ColliderPrimitive primitive, vec3 root, vec3 normal) {
+  return ColliderPrimitive(vec4(unplanted(primitive.a.xyz - root, normal), primitive.a.w),
+                           vec4(unplanted(primitive.b.xyz - root, normal), 0.0));
+}
+
+ContactChain chainOf(BladeRoot own, BladePose pose, float height, vec2 turned[CHAIN_SEGMENTS]) {
+  ContactChain chain;
+  chain.bent = 0u;
+  vec3 before = vec3(0.0);
+  vec2 lean = vec2(0.0);
+  for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
+    vec3 next = posePoint(pose.bend, own.facing, float(i + 1) / float(CHAIN_SEGMENTS));
+    chain.size[i] = max(length(next - before), 1e-4) * height;
+    chain.part[i] = normalize(next - before + vec3(0.0, 1e-6, 0.0));
+    lean += turned[i];
+    chain.lean[i] = pose.leans.e[i] + lean;
+    before = next;
+  }
+  return chain;
+}
+
+// Bends the blade out of everything; false: its root is inside, or there is no way out.
+bool touched(inout ContactChain chain, vec3 root, vec3 normal, float reach) {
+  for (int pass = 0; pass < CONTACT_PASSES; ++pass) {
+    bool clear = true;
+    for (int n = 0; n < primitiveCount; ++n) {
+      if (colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) continue;
+      ColliderPrimitive primitive = seenFrom(primitives[n], root, normal);
+      if (rootInside(primitive)) return false;
+      if (chainDistance(chain, primitive) >= 0.97 * CONTACT_MARGIN) continue;
+      chain = bentOut(chain, primitive);
+      clear = false;
+    }
+    if (clear) return true;
+  }
+  for (int n = 0; n < primitiveCount; ++n) {
+    if (colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) continue;
+    if (chainDistance(chain, seenFrom(primitives[n], root, normal)) < 0.9 * CONTACT_MARGIN) return false;
+  }
+  return true;
+}
+
+bool anythingNear(vec3 root, float reach) {
+  for (int n = 0; n < primitiveCount; ++n) {
+    if (colliderDistance(primitives[n], root) <= reach + 2.0 * CONTACT_MARGIN) return true;
+  }
+  return false;
+}
+
+void main() {
+  GrassPatch tile = patches[gl_WorkGroupID.y];
+  uint index = gl_GlobalInvocationID.x;
+  ivec2 cell = ivec2(tile.x, tile.z);
+  uint total = bladesInTile(tileHash(cell));
+  if (index >= min(total, patchTable.stride)) return;
+  BladeRoot own = bladeRoot(cell, index, total);
+  float rate = ownRate(own.state);
+
+  vec4 joints[CHAIN_SEGMENTS];
+  bool hidden = patchState[patchStateAt(tile.slot, index, 0)].x > 0.5 * PATCH_HIDDEN;
+  for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
+    joints[i] = tile.keep <= 0.0 || hidden ? vec4(0.0) : swung(patchState[patchStateAt(tile.slot, index, i)], rate, tile.keep);
+  }
+
+  vec3 root = vec3(own.root.x, groundHeight(own.root), own.root.y);
+  hidden = false;
+  if (anythingNear(root, own.height * 1.25)) {
+    float height = standingHeight(own);
+    BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
+    ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));
+    hidden = !touched(chain, root, groundNormal(own.root), height);
+    vec2 below = vec2(0.0);
+    for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
+      vec2 lean = chain.lean[i] - pose.leans.e[i];
+      if ((chain.bent & (1u << uint(i))) != 0u) joints[i] = vec4(lean - below, 0.0, 0.0);
+      below = lean;
+    }
+  }
+  if (hidden) joints = vec4[](vec4(PATCH_HIDDEN, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0));
+  for (int i = 0; i < CHAIN_SEGMENTS; ++i) patchState[patchStateAt(tile.slot, index, i)] = joints[i];
+}

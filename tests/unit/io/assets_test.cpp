@@ -1,0 +1,118 @@
+#include "engine/io/assets.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/core/file.hpp"
+#include "engine/io/image.hpp"
+#include "tests/temporary_folder.hpp"
+#include "tests/unit/io/gltf_fixture.hpp"
+
+namespace windloom {
+namespace {
+
+class Assets : public ::testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(writeFileAtomically(m_folder.path() / "tuft.glb", testing::standingTriangle().glb()).ok());
+    Image grey(4, 2, 1);
+    for (std::size_t i = 0; i < grey.pixels.size(); ++i) grey.pixels[i] = static_cast<std::uint8_t>(30 * i);
+    ASSERT_TRUE(writePng(m_folder.path() / "mask.png", grey).ok());
+  }
+  std::filesystem::path file() const { return m_folder.path() / "a.wind.json"; }
+  static Species meshSpecies(Id id, const std::string& name) {
+    Species species;
+    species.id = id;
+    species.shape = PlantShape::Mesh;
+    species.file = name;
+    return species;
+  }
+  static Project with(std::vector<Species> species) {
+    Project project;
+    project.species = std::make_shared<std::vector<Species>>(std::move(species));
+    return project;
+  }
+  TemporaryFolder m_folder;
+};
+
+TEST_F(Assets, FillsMeshesAndMapsAndSharesThem) {
+  Project project = with({meshSpecies(1, "tuft.glb"), Species{}, meshSpecies(2, "tuft.glb")});
+  Collider collider;
+  collider.shape = ColliderShape::Mesh;
+  collider.file = "tuft.glb";
+  project.colliders = std::make_shared<std::vector<Collider>>(std::vector{collider});
+  GrassSettings grass;
+  grass.densityMap = grass.colourMap = "mask.png";
+  project.grass = std::make_shared<GrassSettings>(grass);
+  const Status loaded = loadAssets(project, file());
+  ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+  const auto& species = *project.species;
+  ASSERT_TRUE(species[0].mesh);
+  EXPECT_EQ(species[0].mesh, species[2].mesh);
+  EXPECT_FALSE(species[1].mesh);
+  EXPECT_EQ(species[0].mesh->file, "tuft.glb");
+  ASSERT_TRUE((*project.colliders)[0].mesh);
+  EXPECT_FALSE((*project.colliders)[0].mesh->spheres.empty());
+  ASSERT_TRUE(project.grass->densityPixels);
+  EXPECT_EQ(project.grass->densityPixels, project.grass->colourPixels);
+  EXPECT_FALSE(project.grass->heightPixels);
+  const auto speciesBefore = project.species;
+  const auto grassBefore = project.grass;
+  ASSERT_TRUE(loadAssets(project, file()).ok());
+  EXPECT_EQ(project.species, speciesBefore) << "nothing is read again";
+  EXPECT_EQ(project.grass, grassBefore);
+}
+
+TEST_F(Assets, ReportsEachFailureAtItsPlaceAndFillsTheRest) {
+  Project project = with({meshSpecies(1, "gone.glb"), meshSpecies(2, "tuft.glb"), meshSpecies(3, "mask.png")});
+  GrassSettings grass;
+  grass.heightMap = "gone.png";
+  grass.densityMap = "mask.png";
+  project.grass = std::make_shared<GrassSettings>(grass);
+  const Status loaded = loadAssets(project, file());
+  ASSERT_FALSE(loaded.ok());
+  const std::vector<Problem>& problems = loaded.error().problems;
+  ASSERT_EQ(problems.size(), 3u);
+  EXPECT_EQ(problems[0].pointer, "/species/0/file");
+  EXPECT_NE(problems[0].message.find("gone.glb"), std::string::npos);
+  EXPECT_EQ(problems[1].pointer, "/species/2/file");
+  EXPECT_EQ(problems[2].pointer, "/grass/maps/height");
+  EXPECT_FALSE((*project.species)[0].mesh);
+  EXPECT_TRUE((*project.species)[1].mesh);
+  EXPECT_TRUE(project.grass->densityPixels);
+}
+
+TEST_F(Assets, KeepsTheLastGoodMeshWhereTheNewFileIsBroken) {
+  Project project = with({meshSpecies(1, "tuft.glb")});
+  ASSERT_TRUE(loadAssets(project, file()).ok());
+  const auto mesh = (*project.species)[0].mesh;
+  std::vector<Species> species = *project.species;
+  species[0].file = "gone.glb";
+  project.species = std::make_shared<std::vector<Species>>(species);
+  EXPECT_FALSE(loadAssets(project, file()).ok());
+  EXPECT_EQ((*project.species)[0].mesh, mesh);
+}
+
+TEST_F(Assets, AveragesLargeMapsDown) {
+  const int side = kMaxGrassMap + 500;
+  Image16 image(side, 3, 1);
+  for (int x = 0; x < side; ++x) {
+    for (int y = 0; y < 3; ++y) *image.at(x, y) = x % 2 == 0 ? 0 : 65535;
+  }
+  ASSERT_TRUE(writePng(m_folder.path() / "large.png", image).ok());
+  const auto map = readGrassMap(m_folder.path() / "large.png");
+  ASSERT_TRUE(map.ok()) << map.error().text();
+  EXPECT_EQ((*map)->size, glm::ivec2(side / 2, 2));
+  EXPECT_EQ((*map)->pixels[0], 128);
+  EXPECT_EQ((*map)->pixels[3], 255);
+}
+
+TEST_F(Assets, KeepsTheOrderOfPixels) {
+  const auto map = readGrassMap(m_folder.path() / "mask.png");
+  ASSERT_TRUE(map.ok());
+  EXPECT_EQ((*map)->size, glm::ivec2(4, 2));
+  EXPECT_EQ((*map)->pixels[4 * 3], 90) << "along x first";
+  EXPECT_EQ((*map)->pixels[4 * 4], 120) << "then along z";
+}
+
+}  // namespace
+}  // namespace windloom
