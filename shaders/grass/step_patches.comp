@@ -9,6 +9,7 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
+#include "shaders/include/grass_maps.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/virtual_wind.glsl"
 #include "shaders/include/blade_chain.glsl"

@@ -37,8 +37,10 @@
 #define RENDER_SSBO_GROUND_TILES 4
 #define RENDER_SSBO_GRASS_BOUNDS 4
 #define RENDER_SSBO_CORNERS 5
-#define RENDER_SSBO_TILE_WORK 6
-#define RENDER_SSBO_GROUP_WORK 7
+// The culling of tiles has neither solids nor patches.
+#define RENDER_SSBO_TILE_WORK 3
+#define RENDER_SSBO_GROUP_WORK 5
+#define RENDER_SSBO_CHAINS 3
 // The placing of plants other than blades has no chunks, blades and solids.
 #define RENDER_SSBO_PLANTS 1
 #define RENDER_SSBO_PLANT_COMMANDS 2
