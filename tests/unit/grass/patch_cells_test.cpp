@@ -164,6 +164,9 @@ TEST(PatchCells, TakesOverAtOnceWhereThereIsNoTime) {
   for (int n = 0; n < 40; ++n) {
     stepWith(cells, {ballAt(10.0f * static_cast<float>(n) + 1.0f, 1.0f, 0.3f)});
     ASSERT_TRUE(find(cells, 5 * n, 0).has_value()) << n;
+    for (int back = 1; back < std::min(n, 8); ++back) {
+      EXPECT_TRUE(find(cells, 5 * (n - back), 0).has_value()) << "the oldest goes first";
+    }
     EXPECT_EQ(patchAt(cells, 5 * n, 0).keep, 0.0f);
   }
 }

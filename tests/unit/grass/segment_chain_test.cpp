@@ -170,6 +170,30 @@ TEST(ChainMotion, FollowsThePlainModel) {
   }
 }
 
+TEST(ChainMotion, OneSmallStepIsThePlainModels) {
+  // In a strong drive, where every term of the step counts.
+  GrassSettings grass;
+  grass.windFactor = 0.6f;
+  const ChainBlock chain = makeChainBlock(grass);
+  std::mt19937 random(21);
+  constexpr float kStep = 1e-4f;
+  for (int n = 0; n < 300; ++n) {
+    ChainState state = randomState(random, 0.3f, 4.0f);
+    PlainChain plain(chain);
+    for (std::size_t i = 0; i < 4; ++i) {
+      plain.turns[i] = testing::turnMatrix(dvec3(state.psi[i]));
+      plain.omegas[i] = dvec3(state.omega[i]);
+    }
+    const glm::vec3 wind(n % 3 == 0 ? 0.0f : 6.0f, 0.0f, 2.0f);
+    state = shared::chainPart(chain, state, wind, shared::chainSteadyLeans(chain, {wind.x, wind.z}), kStep);
+    plain.step(dvec3(wind), static_cast<double>(kStep));
+    for (int i = 0; i < kSegments; ++i) {
+      const auto away = glm::length(plain.omegas[static_cast<std::size_t>(i)] - dvec3(state.omega[i]));
+      EXPECT_LT(away / static_cast<double>(kStep * chain.spring.x), 0.01) << n << " segment " << i;
+    }
+  }
+}
+
 TEST(ChainMotion, IsTheSameAt30And60And240Hz) {
   for (const float damping : {0.05f, 0.18f, 0.7f}) {
     GrassSettings grass;
