@@ -27,8 +27,10 @@ struct BenchSetup {
   gpu::ShaderLibrary* shaders = nullptr;
   std::optional<glm::ivec2> picture;  ///< pixels of the scenes that draw; none: their own choice
   std::string pictures;               ///< folder that scene `picture` puts its pictures into; empty: nowhere
-  std::vector<int> cells;  ///< sides of the fields of scene `solver`; empty: its own choice
-  double capSeconds = 20;  ///< about how long one row may take; rows that would take longer have fewer runs
+  std::vector<std::string> views;     ///< cameras of scene `picture` by name; empty: all
+  std::vector<int> blades;            ///< millions of blades of the scenes with a choice; empty: their own
+  std::vector<int> cells;             ///< sides of the fields of scene `solver`; empty: its own choice
+  double capSeconds = 20;             ///< about how long one row may take; rows that would take longer have fewer runs
 };
 
 /// One line of a scene's table: names and values in the order of the columns. Values that are objects (times by stage)
@@ -44,7 +46,9 @@ std::span<const BenchScene> benchScenes();
 
 // The scenes.
 Result<std::vector<BenchRow>> benchSolver(const BenchSetup& setup);
-Result<std::vector<BenchRow>> benchGrass(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchMeadowTable(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchGrassland(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchPicture(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchLoad(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchStartup(const BenchSetup& setup);

@@ -58,6 +58,8 @@ struct PictureBench {
     const Result<gpu::Texture> wind = benchWhirls(grid);
     if (!wind) return wind.error();
     for (const BenchShot& shot : benchShots(meadow.metres)) {
+      if (!setup.views.empty() && std::find(setup.views.begin(), setup.views.end(), shot.name) == setup.views.end())
+        continue;
       if (Status added = addShot(meadow, shot, project, {wind->name(), grid}); !added) return added;
     }
     return Done{};
@@ -129,9 +131,10 @@ Result<std::vector<BenchRow>> benchPicture(const BenchSetup& setup) {
   Result<gpu::Framebuffer> target = benchTarget(size), large = benchTarget(2 * size);
   if (!target) return target.error();
   if (!large) return large.error();
-  std::vector<BenchMeadow> meadows = {{"1 M", 100, 100}, {"7 M", 100, 700}};
-  // Every one of a hundred million blades takes minutes on a software renderer.
-  if (!software) meadows.push_back({"100 M", 1000, 100});
+  std::vector<BenchMeadow> meadows;
+  // Every one of seven million blades takes minutes on a software renderer.
+  const std::vector<int> own = software ? std::vector{1} : std::vector{1, 7, 100};
+  for (const int millions : setup.blades.empty() ? own : setup.blades) meadows.push_back(benchMeadowOf(millions));
   if (quick) meadows = {{"2 k", 10, 20}};
   PictureBench bench{setup, **renderer, std::move(*target), std::move(*large), {}};
   for (const BenchMeadow& meadow : meadows) {

@@ -29,21 +29,32 @@ std::shared_ptr<const WindGraph> scatteredArrows(float size, int count) {
   return graph;
 }
 
-}  // namespace
-
-Project benchProject(int cells, int arrows) {
+Project windyProject(float metres, int cells, int arrows) {
   Project project;
-  project.name = "Benchmark";
   auto field = std::make_shared<FieldSettings>();
   field->resolution = {cells, cells};
-  field->size = glm::vec2(0.1f * static_cast<float>(cells));
+  field->size = glm::vec2(metres);
   auto ambient = std::make_shared<AmbientWind>();
   ambient->speed = 3;
   ambient->direction = 20;
   ambient->gustStrength = 0.3f;
-  project.graph = scatteredArrows(field->size.x, arrows);
+  project.graph = scatteredArrows(metres, arrows);
   project.field = std::move(field);
   project.ambient = std::move(ambient);
+  return project;
+}
+
+}  // namespace
+
+Project benchProject(int cells, int arrows) {
+  Project project = windyProject(0.1f * static_cast<float>(cells), cells, arrows);
+  project.name = "Benchmark";
+  return project;
+}
+
+Project benchWindyMeadow(float metres, float density, int cells) {
+  Project project = windyProject(metres, cells, 10);
+  project.grass = benchMeadow(metres, density).grass;
   return project;
 }
 

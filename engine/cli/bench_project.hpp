@@ -9,6 +9,10 @@ namespace windloom::cli {
 /// arrows of 8 m spread over it, every one blowing, always the same.
 Project benchProject(int cells, int arrows);
 
+/// The same wind over a meadow: 10 arrows and gusts on `cells` x `cells` cells, `density` blades per square metre on a
+/// field of `metres` x `metres`.
+Project benchWindyMeadow(float metres, float density, int cells);
+
 /// Grass of `density` blades per square metre on a field of `metres` x `metres`.
 Project benchMeadow(float metres, float density);
 

@@ -10,7 +10,9 @@ namespace {
 constexpr BenchScene kScenes[] = {
     {"floor", "what the machine can do at best: memory bandwidth, the cost of an empty dispatch", benchFloor},
     {"solver", "one wind step at 256 to 4096 squared, beside the plain scheme", benchSolver},
-    {"grass", "a picture with 1 and 7 million blades, 1920 x 1080 (needs OpenGL)", benchGrass},
+    {"meadow", "a wind step and a picture of 1 to 100 million blades, 1920 x 1080 (needs OpenGL)", benchMeadowTable},
+    {"grassland", "a million blades on 280 m, still and in wind (needs OpenGL)", benchGrassland},
+    {"live", "the sample meadow played at 1280 x 720 for 20 s, with quality control (needs OpenGL)", benchLive},
     {"picture", "how near the thinned meadow comes to one with every blade drawn (needs OpenGL)", benchPicture},
     {"load", "reading a project of 10,000 arrows", benchLoad},
     {"startup", "from nothing to the first picture", benchStartup},

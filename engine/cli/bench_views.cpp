@@ -6,6 +6,11 @@
 
 namespace windloom::cli {
 
+BenchMeadow benchMeadowOf(int millions) {
+  const float metres = millions <= 7 ? 100.0f : 1000.0f;
+  return {std::to_string(millions) + " M", metres, static_cast<float>(millions) * 1e6f / (metres * metres)};
+}
+
 std::vector<BenchShot> benchShots(float metres) {
   BenchShot eye{"eye", {}}, over{"over", {}}, top{"top", {}};
   eye.camera.position = {0, 1.7f, 0.4f * metres};

@@ -16,6 +16,9 @@ struct BenchMeadow {
   float density;     ///< blades per m^2
 };
 
+/// Up to 7 million blades stand on 100 m, as in the paper, more on 1 km.
+BenchMeadow benchMeadowOf(int millions);
+
 struct BenchShot {
   const char* name;
   ViewCamera camera;

@@ -14,9 +14,9 @@ namespace {
 constexpr int kMaxPictureSide = 8192;  // scene picture draws twice that
 
 struct Options : CommonOptions {
-  std::vector<std::string> scenes;
+  std::vector<std::string> scenes, views;
   std::string jsonFile, size, pictures;
-  std::vector<int> cells;
+  std::vector<int> cells, blades;
   bool quick = false;
 };
 
@@ -103,6 +103,8 @@ int runBench(const Options& options) {
   if (!gl) return reportError(gl.error(), common);
   setup.size = options.quick ? BenchSize::Quick : BenchSize::Full;
   setup.cells = options.cells;
+  setup.blades = options.blades;
+  setup.views = options.views;
   setup.pictures = options.pictures;
   setup.cpu = options.backend != Backend::Gpu;
   setup.context = gl->context.get();
@@ -148,6 +150,14 @@ VerbAction makeBenchVerb(CLI::App& app) {
       ->type_name("N[,N...]")
       ->delimiter(',')
       ->check(CLI::Range(16, 8192));
+  app.add_option("--blades", options->blades, "Scenes meadow and picture: millions of blades, separated by commas")
+      ->type_name("N[,N...]")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 200));
+  app.add_option("--views", options->views, "Scene picture: only these of eye, over, top")
+      ->type_name("NAME[,NAME]")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"eye", "over", "top"}));
   app.add_option("--size", options->size, "Pixels of the scenes that draw (default 1920x1080)")->type_name("WxH");
   app.add_option("--pictures", options->pictures,
                  "Scene picture: also write what it compares, and the differences, there")

@@ -29,6 +29,7 @@ Result<Buffer> Buffer::create(std::string_view label, std::size_t bytes, BufferU
     return makeError(ErrorKind::Machine, "OpenGL has no memory for the buffer '" + std::string(label) + "' of " +
                                              std::to_string(bytes) + " bytes");
   }
+  buffer.m_memory = MemoryUse(label, bytes);
   if (data == nullptr) buffer.clear();
   return buffer;
 }

@@ -8,6 +8,7 @@
 
 #include "engine/core/result.hpp"
 #include "engine/gpu/handle.hpp"
+#include "engine/gpu/memory.hpp"
 
 namespace windloom::gpu {
 
@@ -49,6 +50,7 @@ class Buffer {
 
  private:
   Handle<BufferKind> m_handle;
+  MemoryUse m_memory;
   std::size_t m_bytes = 0;
   BufferUse m_use = BufferUse::Static;
 };

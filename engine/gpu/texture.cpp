@@ -63,8 +63,28 @@ Result<Texture> Texture::finish(std::string_view label, Texture texture, const T
                                              sizeText(texture.m_size) +
                                              " (no memory for it, or its format is not supported)");
   }
+  texture.m_memory = MemoryUse(label, texture.bytes());
   if (texture.m_target != GL_TEXTURE_2D_MULTISAMPLE) setSampling(texture.name(), options);
   return texture;
+}
+
+std::size_t Texture::bytes() const {
+  std::size_t bits = 0;
+  for (const GLenum part : {GL_TEXTURE_RED_SIZE, GL_TEXTURE_GREEN_SIZE, GL_TEXTURE_BLUE_SIZE, GL_TEXTURE_ALPHA_SIZE,
+                            GL_TEXTURE_DEPTH_SIZE, GL_TEXTURE_STENCIL_SIZE, GL_TEXTURE_SHARED_SIZE}) {
+    GLint size = 0;
+    glGetTextureLevelParameteriv(name(), 0, part, &size);
+    bits += static_cast<std::size_t>(size);
+  }
+  GLint samples = 0;
+  if (m_target == GL_TEXTURE_2D_MULTISAMPLE) glGetTextureLevelParameteriv(name(), 0, GL_TEXTURE_SAMPLES, &samples);
+  std::size_t texels = 0;
+  for (int level = 0; level < m_levels; ++level) {
+    const glm::ivec3 size = glm::max(m_size >> level, 1);
+    const int deep = m_target == GL_TEXTURE_3D ? size.z : m_size.z;
+    texels += static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) * static_cast<std::size_t>(deep);
+  }
+  return texels * static_cast<std::size_t>(std::max(samples, 1)) * bits / 8;
 }
 
 Result<Texture> Texture::create2D(std::string_view label, glm::ivec2 size, GLenum format,

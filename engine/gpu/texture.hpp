@@ -7,6 +7,7 @@
 
 #include "engine/core/result.hpp"
 #include "engine/gpu/handle.hpp"
+#include "engine/gpu/memory.hpp"
 
 namespace windloom::gpu {
 
@@ -39,6 +40,8 @@ class Texture {
   [[nodiscard]] GLenum format() const { return m_format; }
   [[nodiscard]] glm::ivec3 size() const { return m_size; }  ///< z: layers or depth, 1 for 2D
   [[nodiscard]] int levels() const { return m_levels; }
+  /// Of all levels, layers and samples, by the sizes that the driver gave the channels.
+  [[nodiscard]] std::size_t bytes() const;
 
   /// Fills one level (all layers) from tightly packed rows; `pixelFormat` and `pixelType` as GL_RG, GL_FLOAT.
   void upload(GLenum pixelFormat, GLenum pixelType, const void* data, int level = 0);
@@ -60,6 +63,7 @@ class Texture {
  private:
   static Result<Texture> finish(std::string_view label, Texture texture, const TextureOptions& options);
   Handle<TextureKind> m_handle;
+  MemoryUse m_memory;
   GLenum m_target = 0, m_format = 0;
   glm::ivec3 m_size{0};
   int m_levels = 0;

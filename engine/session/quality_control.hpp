@@ -6,12 +6,14 @@
 
 namespace windloom {
 
-inline constexpr double kFrameTargetMs = 30.0;          ///< on a GPU
-inline constexpr double kSoftwareFrameTargetMs = 66.0;  ///< on a software renderer
+inline constexpr double kFrameTargetMs = 30.0;  ///< on a GPU
+inline constexpr double kSoftwareFrameTargetMs =
+    60.0;  ///< on a software renderer: 15 frames a second with room to spare
 
-/// Follows the median of recent frames, so that a single slow frame changes nothing; lowers the detail at once
-/// when the target is missed, raises it only after a long stretch with room to spare, and waits longer each time
-/// that raising it proved too much.
+/// Never pumps: it looks at many frames before it decides, aims below the target by what it learned of how the time
+/// follows the detail, and between "too slow" and "room to spare" there is room for a machine's noise. Raising waits
+/// longer each time that it proved too much. The detail glides from one value to the next, so that no frame shows a
+/// jump; only frames that are far too slow are helped at once.
 class QualityControl {
  public:
   explicit QualityControl(double targetMs = kFrameTargetMs);
@@ -26,16 +28,25 @@ class QualityControl {
   static constexpr float kLeastDetail = 0.05f;
 
  private:
-  static constexpr std::size_t kWindow = 7;
-  [[nodiscard]] double median() const;
-  void change(float factor);
+  static constexpr std::size_t kLong = 45;  // frames looked at, at most
+  [[nodiscard]] double ranked(std::size_t frames, double part) const;
+  void judge();
+  void lower(double now, float glide);
+  void raise(double now);
+  void moveTo(double factor, double now, float glide);
+  void learn(double now);
+  bool glide();
 
   double m_targetMs;
-  std::array<double, kWindow> m_times{};
-  std::size_t m_count = 0;       // frames seen since the last change
-  int m_calmFrames = 0;          // in a row with room to spare
-  int m_patience = 0;            // calm frames wanted before the detail is raised
-  float m_detail = 1.0f;
+  std::array<double, kLong> m_times{};
+  std::size_t m_count = 0;  // frames seen since the detail came to rest
+  int m_calmFrames = 0;     // in a row with room to spare
+  int m_patience = 0;       // calm frames wanted before the detail is raised
+  float m_detail = 1.0f, m_goal = 1.0f;
+  float m_glide = 1.0f;  // factor of a frame on the way to the goal
+  double m_exponent;     // the time goes as the detail to the power of this
+  double m_lastMs = 0;   // at the detail before the last change; 0: not known
+  float m_lastDetail = 1.0f;
   bool m_raisedLast = false;
 };
 

@@ -4,6 +4,10 @@ import json
 import harness
 
 
+def luma(picture):
+    return picture @ [0.299, 0.587, 0.114]
+
+
 class BenchReport(harness.Case):
     def check(self, report, scenes):
         self.assertEqual((report["ok"], report["format"], report["version"]), (True, "windloom-bench", 1))
@@ -14,9 +18,10 @@ class BenchReport(harness.Case):
 
     def test_measures_every_scene_on_the_cpu_without_opengl(self):
         report = json.loads(self.call("bench", "--quick", "--backend", "cpu", "--json").stdout)
-        self.check(report, ["floor", "solver", "grass", "load", "startup", "runtime"])
+        self.check(report, ["floor", "solver", "meadow", "grassland", "live", "picture", "load", "startup", "runtime"])
         self.assertEqual(report["settings"], {"quick": True, "cpu": True, "gpu": False})
-        self.assertEqual(report["scenes"]["grass"], [], "grass can't be measured without OpenGL")
+        for scene in ("meadow", "grassland", "live", "picture"):
+            self.assertEqual(report["scenes"][scene], [], f"{scene} can't be measured without OpenGL")
         solver = {(row["scheme"], row.get("arrows")): row for row in report["scenes"]["solver"]}
         self.assertEqual(list(solver), [("one plain Jacobi sweep", None), ("windloom", 10), ("windloom", 100)])
         step = solver["windloom", 10]
@@ -32,17 +37,56 @@ class BenchReport(harness.Case):
                 self.assertGreaterEqual(row["runs"], 1)
 
     def test_measures_the_gpu_where_it_is_asked_for_by_name(self):
-        done = self.call("bench", "floor", "solver", "grass", "--quick", "--backend", "gpu", "--json", "-")
+        done = self.call("bench", "floor", "solver", "--quick", "--backend", "gpu", "--json", "-")
         report = json.loads(done.stdout)
-        self.check(report, ["floor", "solver", "grass"])
+        self.check(report, ["floor", "solver"])
         self.assertTrue(report["machine"]["opengl"]["renderer"])
         self.assertEqual({row["where"] for row in report["scenes"]["solver"]}, {"gpu"})
         schemes = {row["scheme"]: row for row in report["scenes"]["solver"]}
         self.assertLess(schemes["windloom"]["residual"], 2e-3)
         self.assertLess(schemes["windloom"]["residual"], 0.1 * schemes["plain, 20 Jacobi sweeps"]["residual"])
-        self.assertEqual([row["camera"] for row in report["scenes"]["grass"]], ["eye", "over", "top"])
-        for row in report["scenes"]["grass"]:
-            self.assertGreater(row["drawn"], 0)
+
+    def test_measures_frames_of_meadows(self):
+        done = self.call("bench", "meadow", "grassland", "live", "--quick", "--backend", "gpu", "--json", "-")
+        report = json.loads(done.stdout)
+        self.check(report, ["meadow", "grassland", "live"])
+        meadow = report["scenes"]["meadow"]
+        self.assertEqual([(row["camera"], row["with"]) for row in meadow],
+                         [("eye", "all"), ("over", "all"), ("top", "all"), ("eye", "no thinning"), ("eye", "no culling"), ("eye", "neither")])
+        for row in meadow:
+            self.assertNotIn("note", row)
+            for key in ("wind sim ms", "grass sim ms", "rendering ms", "frame ms", "fps", "drawn", "grass MiB", "runs"):
+                self.assertGreater(row[key], 0, key)
+            self.assertEqual(row["shadow ms"], 0)
+            self.assertGreater(row["all MiB"], row["grass MiB"])
+            self.assertAlmostEqual(sum(row["stages"].values()), row["grass sim ms"] + row["rendering ms"], delta=1e-6)
+        drawn = {row["with"]: row["drawn"] for row in meadow if row["camera"] == "eye"}
+        for mode in ("no thinning", "no culling"):
+            self.assertGreaterEqual(drawn[mode], drawn["all"], mode)
+            self.assertGreaterEqual(drawn["neither"], drawn[mode], mode)
+        self.assertEqual({row["column"] for row in report["scenes"]["grassland"]}, {"A no animation", "B wind"})
+        for row in report["scenes"]["grassland"]:
+            self.assertEqual(row["wind sim ms"] > 0, row["column"] != "A no animation")
+            self.assertGreater(row["fps"], 0)
+        self.assertEqual([row["stretch"] for row in report["scenes"]["live"]], ["settling", "settled"])
+        for row in report["scenes"]["live"]:
+            self.assertGreater(row["frame ms"], 0)
+            self.assertGreaterEqual(row["changes of detail"], 0)
+
+    def test_compares_pictures_and_keeps_them(self):
+        folder = self.folder / "pictures"
+        done = self.call("bench", "picture", "--quick", "--size", "128x72", "--pictures", folder, "--backend", "gpu", "--json")
+        rows = json.loads(done.stdout)["scenes"]["picture"]
+        self.assertEqual([row["view"] for row in rows], ["eye", "over", "top"])
+        for row in rows:
+            self.assertNotIn("note", row)
+            self.assertTrue(0.3 < row["ssim"] <= 1, row)
+            self.assertTrue(80 < row["brightness %"] < 125, row)
+            lod, every, difference = (harness.read_png(folder / f"2-k-{row['view']}-{kind}.png") for kind in ("lod", "every", "difference"))
+            self.assertEqual({lod.shape, every.shape, difference.shape}, {(36, 64, 3)})
+            self.assertAlmostEqual(100 * luma(lod).mean() / luma(every).mean(), row["sRGB %"], delta=0.5)
+            self.assertLess(abs(difference - (128 + 4 * (lod - every)).clip(0, 255)).max(), 9)
+        self.assertIn("WxH", self.call("bench", "picture", "--size", "large", status=2).stderr)
 
     def test_takes_the_sides_of_the_solvers_fields(self):
         report = json.loads(self.call("bench", "solver", "--quick", "--cells", "32,48", "--backend", "cpu", "--json").stdout)

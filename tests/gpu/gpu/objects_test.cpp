@@ -6,6 +6,7 @@
 #include "engine/gpu/buffer.hpp"
 #include "engine/gpu/debug_group.hpp"
 #include "engine/gpu/framebuffer.hpp"
+#include "engine/gpu/memory.hpp"
 #include "engine/gpu/pass_state.hpp"
 #include "engine/gpu/readback.hpp"
 #include "engine/gpu/texture.hpp"
@@ -101,6 +102,41 @@ TEST_F(GpuTexture, RefusesASizeOverTheLimit) {
   ASSERT_FALSE(texture.ok());
   EXPECT_EQ(texture.error().kind, ErrorKind::Machine);
   EXPECT_NE(texture.error().text().find("too large"), std::string::npos);
+}
+
+TEST_F(GpuTexture, KnowsItsBytes) {
+  const auto bytesOf = [](const Result<Texture>& texture) { return texture.ok() ? texture->bytes() : 0u; };
+  EXPECT_EQ(bytesOf(Texture::create2D("size", {30, 20}, GL_RG32F)), 30u * 20u * 8u);
+  EXPECT_EQ(bytesOf(Texture::create2D("size", {8, 4}, GL_R16F, {.levels = 0})), (32u + 8u + 2u + 1u) * 2u);
+  EXPECT_EQ(bytesOf(Texture::createArray("size", {8, 4}, 3, GL_RGBA8, {.levels = 2})), (32u + 8u) * 3u * 4u);
+  EXPECT_EQ(bytesOf(Texture::create3D("size", {8, 8, 8}, GL_RGBA16F, {.levels = 2})), (512u + 64u) * 8u);
+  EXPECT_EQ(bytesOf(Texture::createMultisampled("size", {16, 16}, GL_DEPTH_COMPONENT32F, 4)), 256u * 4u * 4u);
+}
+
+class GpuMemory : public windloom::testing::GpuTest {};
+
+TEST_F(GpuMemory, CountsBuffersAndTexturesByTheirLabel) {
+  const std::size_t before = bytesInUse();
+  {
+    auto one = Buffer::create("memory test one", 1000, BufferUse::Static);
+    auto two = Buffer::create("memory test two", 24, BufferUse::Dynamic);
+    auto picture = Texture::create2D("memory test picture", {10, 10}, GL_RGBA8);
+    ASSERT_TRUE(one.ok() && two.ok() && picture.ok());
+    EXPECT_EQ(bytesInUse("memory test"), 1424u);
+    EXPECT_EQ(bytesInUse("memory test t"), 24u);
+    EXPECT_EQ(bytesInUse("memory tests"), 0u);
+    EXPECT_EQ(bytesInUse(), before + 1424u);
+    const Buffer moved = std::move(*one);
+    EXPECT_EQ(bytesInUse("memory test one"), 1000u) << "still one buffer";
+    *picture = Texture();
+    EXPECT_EQ(bytesInUse("memory test p"), 0u);
+    auto another = Buffer::create("memory test one", 500, BufferUse::Static);
+    ASSERT_TRUE(another.ok());
+    *two = std::move(*another);
+    EXPECT_EQ(bytesInUse("memory test"), 1500u) << "what it replaced is gone";
+  }
+  EXPECT_EQ(bytesInUse("memory test"), 0u);
+  EXPECT_EQ(bytesInUse(), before);
 }
 
 TEST_F(GpuFramebuffer, ResolvesSamplesAndReadsTopRowFirst) {

@@ -17,6 +17,19 @@ using testing::Picture;
 using testing::terrainOf;
 using testing::uniformWind;
 
+/// The first `count` elements of the buffer bound there.
+template <class T>
+std::vector<T> bound(unsigned binding, std::size_t count) {
+  std::vector<T> values(count);
+  GLint name = 0;
+  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, binding, &name);
+  EXPECT_NE(name, 0);
+  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+  if (name != 0 && count > 0)
+    glGetNamedBufferSubData(static_cast<GLuint>(name), 0, static_cast<GLsizeiptr>(count * sizeof(T)), values.data());
+  return values;
+}
+
 class Ground : public testing::RenderTest {
  protected:
   void SetUp() override {
@@ -75,28 +88,17 @@ TEST_F(Ground, GrassStandsOnIt) {
   setDensity(40.0f);
   (void)picture();
   // The placing pass left its buffers bound: read what it made.
-  GLint name = 0;
-  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, RENDER_SSBO_COMMANDS, &name);
-  ASSERT_NE(name, 0);
-  shared::GrassCommands commands{};
-  glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(static_cast<GLuint>(name), 0, sizeof commands, &commands);
-  GLint bladesName = 0;
-  glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, RENDER_SSBO_BLADES, &bladesName);
-  // The lists of the levels follow each other, each with room for so many.
-  const glm::uvec3 room = makeGrassLayout(*m_project.field, *m_project.grass).capacity;
+  const shared::GrassCommands commands = bound<shared::GrassCommands>(RENDER_SSBO_COMMANDS, 1).front();
+  const std::vector<shared::GrassChunk> chunks = bound<shared::GrassChunk>(RENDER_SSBO_CHUNKS, commands.chunks);
+  const std::vector<shared::GrassBlade> places =
+      bound<shared::GrassBlade>(RENDER_SSBO_BLADES, commands.chunks * GRASS_CHUNK);
+  // A chunk's blades stand at the front of its places.
   std::vector<shared::GrassBlade> blades;
-  std::size_t start = 0;
-  for (int level = 0; level < 3; ++level) {
-    std::vector<shared::GrassBlade> list(commands.draws[static_cast<std::size_t>(level) * 4 + 1]);
-    const std::size_t size = sizeof(shared::GrassBlade);
-    if (!list.empty()) {
-      glGetNamedBufferSubData(static_cast<GLuint>(bladesName), static_cast<GLintptr>(start * size),
-                              static_cast<GLsizeiptr>(list.size() * size), list.data());
-    }
-    blades.insert(blades.end(), list.begin(), list.end());
-    start += room[level];
+  for (std::size_t chunk = 0; chunk < chunks.size(); ++chunk) {
+    const auto first = places.begin() + static_cast<std::ptrdiff_t>(chunk * GRASS_CHUNK);
+    blades.insert(blades.end(), first, first + static_cast<std::ptrdiff_t>(chunks[chunk].count));
   }
+  EXPECT_EQ(blades.size(), commands.blades);
   ASSERT_GT(blades.size(), 1000u);
   float lowest = 100, highest = -100;
   for (const shared::GrassBlade& blade : blades) {

@@ -141,7 +141,9 @@ TEST_F(Plants, ThinSmoothlyWithTheirSizeInThePicture) {
     m_input.camera.orthographicHeight = metres;
     const auto now = static_cast<long>(placed().size());
     EXPECT_LE(now, last) << metres << " m";
-    if (last < 1'000'000) EXPECT_GE(now, last - 900) << "no sudden loss at " << metres << " m";
+    if (last < 1'000'000) {
+      EXPECT_GE(now, last - 900) << "no sudden loss at " << metres << " m";
+    }
     most = std::max(most, now);
     last = now;
   }
@@ -218,7 +220,9 @@ TEST_F(Plants, LeaveSteepSlopesBare) {
   const std::vector<PlantInstance> everywhere = everyPlant();
   EXPECT_GT(within(everywhere, {1.0f, -kHalf}, {5.0f, kHalf}), 200);
   for (const PlantInstance& plant : everywhere) {
-    if (std::abs(plant.x) < 5.0f && std::abs(plant.x) > 1.0f) ASSERT_NEAR(plant.y, ridge({plant.x, plant.z}), 0.2f);
+    if (std::abs(plant.x) < 5.0f && std::abs(plant.x) > 1.0f) {
+      ASSERT_NEAR(plant.y, ridge({plant.x, plant.z}), 0.2f);
+    }
   }
 }
 

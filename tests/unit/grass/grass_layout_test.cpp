@@ -11,6 +11,18 @@ GrassSettings grassOf(float density) {
   return grass;
 }
 
+/// Of a camera with a picture of 1080 rows and 45 degrees.
+shared::FrameBlock frameFrom(glm::vec3 position) {
+  shared::FrameBlock frame{};
+  frame.cameraPosition = {position, 0.0f};
+  frame.pixelScale.x = 1300.0f;
+  return frame;
+}
+
+GrassBlock blockOf(const GrassSettings& grass, float detail) {
+  return makeGrassBlock(grass, {}, makeGrassLayout({}, grass), {.detail = detail}, frameFrom({0.0f, 2.0f, 0.0f}));
+}
+
 TEST(GrassLayout, CountsOneToSevenMillionBlades) {
   EXPECT_EQ(makeGrassLayout({}, grassOf(100.0f)).bladesTotal, 1'000'000);
   EXPECT_EQ(makeGrassLayout({}, grassOf(700.0f)).bladesTotal, 7'000'000);
@@ -22,13 +34,24 @@ TEST(GrassLayout, CoversTheFieldAndItsMargin) {
     field.centre = {3.0f, -7.0f};
     field.size = size;
     const GrassLayout layout = makeGrassLayout(field, grassOf(100.0f));
-    const glm::vec2 high = layout.origin + layout.tileSideM * glm::vec2(layout.tiles);
-    const glm::vec2 wantedLow = field.centre - 0.5f * size - kMeadowMarginM, wantedHigh = field.centre + 0.5f * size + kMeadowMarginM;
-    EXPECT_LE(layout.origin.x, wantedLow.x + 1e-3f);
-    EXPECT_LE(layout.origin.y, wantedLow.y + 1e-3f);
-    EXPECT_GE(high.x, wantedHigh.x - 1e-3f);
-    EXPECT_GE(high.y, wantedHigh.y - 1e-3f);
+    const glm::vec2 low = layout.tileSideM * glm::vec2(layout.low), high = layout.tileSideM * glm::vec2(layout.high + 1);
+    const glm::vec2 wantedLow = field.centre - 0.5f * size - kMeadowMarginM;
+    const glm::vec2 wantedHigh = field.centre + 0.5f * size + kMeadowMarginM;
+    for (int axis = 0; axis < 2; ++axis) {
+      EXPECT_LE(low[axis], wantedLow[axis] + 1e-3f);
+      EXPECT_GE(high[axis], wantedHigh[axis] - 1e-3f);
+      EXPECT_GT(low[axis] + layout.tileSideM, wantedLow[axis] - 1e-3f) << "no tile too many";
+      EXPECT_LE(layout.tiles()[axis], kMaxTilesPerSide);
+    }
   }
+}
+
+TEST(GrassLayout, TilesAreCellsOfTheWorldWhereverTheFieldLies) {
+  FieldSettings field;
+  const GrassLayout before = makeGrassLayout(field, grassOf(100.0f));
+  field.centre = {37.25f, -11.5f};
+  const GrassLayout after = makeGrassLayout(field, grassOf(100.0f));
+  EXPECT_EQ(after.tileSideM, before.tileSideM) << "tile (i, k) begins at (i, k) sides in both";
 }
 
 TEST(GrassLayout, BladesOfTheTilesMakeTheDensity) {
@@ -38,31 +61,37 @@ TEST(GrassLayout, BladesOfTheTilesMakeTheDensity) {
   }
 }
 
-TEST(GrassLayout, ListsHoldEveryChunkThereCanBe) {
-  const GrassLayout layout = makeGrassLayout({}, grassOf(700.0f));
-  const auto most = static_cast<std::uint32_t>(layout.bladesInTile) + 1u;
-  EXPECT_EQ(layout.chunkLimit, static_cast<std::uint32_t>(layout.tiles.x * layout.tiles.y) * ((most + GRASS_CHUNK - 1u) / GRASS_CHUNK));
+TEST(GrassLayout, ChunksHoldEveryBladeOfTheTilesInSight) {
+  const GrassSettings grass = grassOf(700.0f);
+  const GrassLayout layout = makeGrassLayout({}, grass);
+  const GrassBlock block = makeGrassBlock(grass, {}, layout, {.thinning = false}, frameFrom({0.0f, 2.0f, 0.0f}));
+  const double tiles = static_cast<double>(layout.tiles().x) * layout.tiles().y;
+  EXPECT_GE(chunksInRange(block) * GRASS_CHUNK, tiles * static_cast<double>(layout.bladesInTile));
 }
 
-TEST(GrassLayout, MemoryStaysBoundedForTheLargestMeadow) {
+TEST(GrassLayout, LooksAtFewTilesOfALargeMeadow) {
   FieldSettings field;
   field.size = {1000.0f, 1000.0f};
-  const GrassLayout layout = makeGrassLayout(field, grassOf(200.0f));
+  const GrassSettings grass = grassOf(200.0f);
+  const GrassLayout layout = makeGrassLayout(field, grass);
   EXPECT_EQ(layout.bladesTotal, 200'000'000);
-  const std::size_t blades = static_cast<std::size_t>(layout.capacity.x) + layout.capacity.y + layout.capacity.z;
-  EXPECT_LE(blades * sizeof(shared::GrassBlade), 160u << 20u);
-  EXPECT_LE(layout.chunkLimit * sizeof(shared::GrassChunk), 160u << 20u);
+  const GrassBlock block = makeGrassBlock(grass, {}, layout, {}, frameFrom({0.0f, 2.0f, 0.0f}));
+  EXPECT_LE(tilesInRings(block), static_cast<std::uint32_t>(kMaxTilesPerSide * kMaxTilesPerSide));
+  // Where the ground's shading has taken over no tile is looked at.
+  const GrassBlock far = makeGrassBlock(grass, {}, layout, {}, frameFrom({9000.0f, 2.0f, 0.0f}));
+  EXPECT_EQ(tilesInRings(far), 0u);
 }
 
 TEST(GrassLayout, NoDensityMeansNoTiles) {
   const GrassLayout layout = makeGrassLayout({}, grassOf(0.0f));
-  EXPECT_EQ(layout.chunkLimit, 0u);
+  EXPECT_TRUE(layout.empty());
   EXPECT_EQ(layout.bladesTotal, 0);
+  EXPECT_EQ(tilesInRings(makeGrassBlock(grassOf(0.0f), {}, layout, {}, frameFrom({0.0f, 2.0f, 0.0f}))), 0u);
 }
 
 TEST(GrassCover, ThinsWithDistanceAndKeepsAllBladesClose) {
   const GrassSettings grass = grassOf(100.0f);
-  const GrassBlock block = makeGrassBlock(grass, makeGrassLayout({}, grass), 1.0f);
+  const GrassBlock block = blockOf(grass, 1.0f);
   EXPECT_EQ(keptPart(block, 800.0f), 1.0f);
   float before = 1.0f;
   for (float pixels = 40.0f; pixels > 2.0f; pixels *= 0.8f) {
@@ -75,8 +104,7 @@ TEST(GrassCover, ThinsWithDistanceAndKeepsAllBladesClose) {
 
 TEST(GrassCover, LowerDetailTakesFarBladesFirst) {
   const GrassSettings grass = grassOf(100.0f);
-  const GrassLayout layout = makeGrassLayout({}, grass);
-  const GrassBlock full = makeGrassBlock(grass, layout, 1.0f), half = makeGrassBlock(grass, layout, 0.5f);
+  const GrassBlock full = blockOf(grass, 1.0f), half = blockOf(grass, 0.5f);
   const float closePixels = 400.0f, farPixels = 20.0f;
   EXPECT_EQ(keptPart(half, closePixels), keptPart(full, closePixels));
   EXPECT_LT(keptPart(half, farPixels), 0.6f * keptPart(full, farPixels));
@@ -84,10 +112,9 @@ TEST(GrassCover, LowerDetailTakesFarBladesFirst) {
 
 TEST(GrassBlockSettings, DoublingStiffnessHalvesTheBend) {
   GrassSettings grass;
-  const GrassLayout layout = makeGrassLayout({}, grass);
-  const float soft = makeGrassBlock(grass, layout, 1.0f).motion.x;
+  const float soft = blockOf(grass, 1.0f).motion.x;
   grass.stiffness = 2.0f;
-  EXPECT_FLOAT_EQ(makeGrassBlock(grass, layout, 1.0f).motion.x, 0.5f * soft);
+  EXPECT_FLOAT_EQ(blockOf(grass, 1.0f).motion.x, 0.5f * soft);
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 namespace windloom {
 namespace {
@@ -64,6 +67,93 @@ TEST(QualityControl, NeverGoesBelowItsLeastDetail) {
   QualityControl quality;
   run(quality, 500.0, 100.0, 500, 1);
   EXPECT_EQ(quality.detail(), QualityControl::kLeastDetail);
+}
+
+/// A machine that isn't alone: each frame varies, some take three times as long, and over seconds everything gets slower
+/// and faster again. At times it steps the wind twice.
+struct NoisyMachine {
+  double fixedMs, grassMs, exponent;
+  std::mt19937 random;
+  double seconds = 0.0;
+  int changes = 0;
+  std::vector<double> times = {};
+
+  void run(QualityControl& quality, double until) {
+    std::normal_distribution<double> jitter(0.0, 0.15);
+    std::uniform_real_distribution<double> dice(0.0, 1.0);
+    changes = 0;
+    times.clear();
+    for (bool moving = false; seconds < until;) {
+      const float before = quality.detail();
+      double ms = fixedMs + grassMs * std::pow(static_cast<double>(before), exponent);
+      ms *= std::max(0.5, 1.0 + jitter(random)) * (1.0 + 0.06 * std::sin(seconds));
+      if (dice(random) < 0.02) ms *= 3.0;
+      if (dice(random) < 0.2) ms += 0.1 * quality.targetMs();
+      quality.frameDone(ms);
+      seconds += ms * 1e-3;
+      times.push_back(ms);
+      const bool moves = quality.detail() != before;
+      if (moves && !moving) ++changes;
+      moving = moves;
+    }
+  }
+  double medianMs() {
+    std::sort(times.begin(), times.end());
+    return times[times.size() / 2];
+  }
+};
+
+TEST(QualityControl, NeverPumpsOnANoisyMachine) {
+  for (const double target : {kFrameTargetMs, kSoftwareFrameTargetMs}) {
+    for (const double fixedPart : {0.1, 0.3, 0.6}) {
+      for (const double grassPart : {0.5, 1.0, 2.0, 8.0}) {
+        for (const double exponent : {0.5, 0.8, 1.0}) {
+          for (unsigned seed = 1; seed <= 5; ++seed) {
+            SCOPED_TRACE(::testing::Message() << target << " ms, fixed " << fixedPart << ", grass " << grassPart
+                                              << ", exponent " << exponent << ", seed " << seed);
+            QualityControl quality(target);
+            NoisyMachine machine{fixedPart * target, grassPart * target, exponent, std::mt19937(seed)};
+            machine.run(quality, 10.0);
+            EXPECT_LE(machine.changes, 6) << "while it settles";
+            machine.run(quality, 20.0);
+            EXPECT_LE(machine.changes, 1) << "once it has settled";
+            const float detail = quality.detail();
+            if (detail > QualityControl::kLeastDetail) {
+              EXPECT_LT(machine.medianMs(), 1.1 * target);
+            }
+            if (detail < 1.0f) {
+              EXPECT_GT(machine.medianMs(), 0.6 * target);
+            }
+            machine.run(quality, 60.0);
+            EXPECT_LE(machine.changes, 3) << "in the next 40 s";
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(QualityControl, NoFrameJumpsUnlessFramesAreFarTooSlow) {
+  QualityControl quality(30.0);
+  for (const double grassMs : {36.0, 20.0}) {  // a little too slow; then with room to spare
+    for (int i = 0; i < 2000; ++i) {
+      const float before = quality.detail();
+      quality.frameDone(2.0 + grassMs * static_cast<double>(before));
+      EXPECT_NEAR(quality.detail() / before, 1.0f, 0.032f);
+    }
+  }
+  EXPECT_EQ(quality.detail(), 1.0f);
+}
+
+TEST(QualityControl, HelpsSoonWhereFramesAreFarTooSlow) {
+  QualityControl quality(30.0);
+  double seconds = 0.0;
+  while (seconds < 4.0) {
+    const double ms = 5.0 + 200.0 * static_cast<double>(quality.detail());
+    quality.frameDone(ms);
+    seconds += ms * 1e-3;
+  }
+  EXPECT_LT(5.0 + 200.0 * static_cast<double>(quality.detail()), 1.2 * 30.0);
 }
 
 TEST(QualityControl, IgnoresTimesThatAreNone) {

@@ -1,0 +1,100 @@
+// The meadow as the editor plays it, without its window: the wind on a grid that keeps up, the grass at the detail that
+// quality control finds. Tells how fast it gets and whether it comes to rest.
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "engine/cli/bench_timing.hpp"
+#include "engine/cli/bench_views.hpp"
+#include "engine/model/templates.hpp"
+#include "engine/render/framing.hpp"
+#include "engine/session/quality_control.hpp"
+#include "engine/session/session.hpp"
+
+namespace windloom::cli {
+namespace {
+
+/// What the frames of a stretch of time were like.
+struct Stretch {
+  std::vector<double> ms;
+  int changes = 0;  // times the detail began to move
+
+  void add(double frameMs, bool began) {
+    ms.push_back(frameMs);
+    changes += began ? 1 : 0;
+  }
+  [[nodiscard]] double slowest(double part) const {  // of the frames, `part` are slower
+    std::vector<double> sorted = ms;
+    std::sort(sorted.begin(), sorted.end());
+    return sorted[static_cast<std::size_t>((1.0 - part) * static_cast<double>(sorted.size() - 1))];
+  }
+};
+
+BenchRow rowOf(const char* name, const Stretch& stretch, float detail, const SessionStatus& status) {
+  const double ms = median(stretch.ms);
+  return {{"stretch", name},
+          {"frame ms", ms},
+          {"fps", 1000 / ms},
+          {"5% slower than, ms", stretch.slowest(0.05)},
+          {"detail", detail},
+          {"changes of detail", stretch.changes},
+          {"wind cells", std::to_string(status.liveResolution.x) + " x " + std::to_string(status.liveResolution.y)},
+          {"wind step ms", status.stepMs},
+          {"drawn", status.frame.bladesDrawn},
+          {"runs", stretch.ms.size()}};
+}
+
+struct Live {
+  Session& session;
+  QualityControl quality;
+  Session::View view;
+  double lastMs = 16;
+  bool moving = false;
+
+  /// As the editor's frame: the steps that are due, the picture, the wait for it.
+  void frame(Stretch& stretch) {
+    lastMs = wallMs([&] {
+      session.advance(lastMs * 1e-3);
+      view.quality.detail = quality.detail();
+      session.draw(view);
+      glFinish();
+    });
+    const float before = quality.detail();
+    quality.frameDone(lastMs);
+    const bool moves = quality.detail() != before;
+    stretch.add(lastMs, moves && !moving);
+    moving = moves;
+  }
+};
+
+}  // namespace
+
+Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup) {
+  if (setup.context == nullptr) return std::vector<BenchRow>{};
+  const bool quick = setup.size == BenchSize::Quick;
+  const Project project = findTemplate("meadow")->make();
+  SessionOptions options;
+  options.context = setup.context;
+  options.shaders = setup.shaders;
+  const Result<std::unique_ptr<Session>> session = Session::create(project, options);
+  if (!session) return session.error();
+  const Result<gpu::Framebuffer> target =
+      benchTarget(setup.picture.value_or(quick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720)));
+  if (!target) return target.error();
+  (*session)->play();
+  Live live{**session, QualityControl(setup.context->info().software ? kSoftwareFrameTargetMs : kFrameTargetMs), {}};
+  live.view.camera = viewThrough(project.cameras->front());
+  live.view.size = target->size();
+  live.view.framebuffer = target->name();
+  std::vector<BenchRow> rows;
+  const double seconds = quick ? 0.5 : 10.0;
+  for (const char* name : {"settling", "settled"}) {
+    Stretch stretch;
+    for (double spent = 0; spent < seconds; spent += live.lastMs * 1e-3) live.frame(stretch);
+    rows.push_back(rowOf(name, stretch, live.quality.detail(), (*session)->status()));
+  }
+  return rows;
+}
+
+}  // namespace windloom::cli
