@@ -322,7 +322,7 @@ void App::frame() {
 void App::followWind() {
   const Session* session = m_live->session();
   if (!session) return;
-  constexpr double kMostS = 0.1;
+  constexpr double kMostS = 0.25;
   const double now = session->time(), before = std::exchange(m_windBefore, now);
   const bool runs = session->playing() && !session->seeking();
   m_workspace.windSeconds = now + (runs ? std::clamp(now - before, 0.0, kMostS) : 0.0);
