@@ -17,6 +17,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/blade far", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=1"},
     {"grass/place plants", {"grass/place_plants.comp"}},
     {"grass/plant", {"grass/plant.vert", "grass/plant.frag"}},
+    {"grass/plant textured", {"grass/plant.vert", "grass/plant.frag"}, "TEXTURED"},
 };
 
 }  // namespace

@@ -51,8 +51,10 @@ Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
   PlantPass pass;
   Result<gpu::Program*> place = shaders.load(grassProgram("grass/place plants"));
   if (!place) return place.error();
-  Result<gpu::Program*> draw = shaders.load(grassProgram("grass/plant"));
-  if (!draw) return draw.error();
+  Result<gpu::Program*> plain = shaders.load(grassProgram("grass/plant"));
+  if (!plain) return plain.error();
+  Result<gpu::Program*> textured = shaders.load(grassProgram("grass/plant textured"));
+  if (!textured) return textured.error();
   constexpr std::size_t kCommandBytes = PLANT_KINDS * PLANT_LEVELS * sizeof(PlantCommand);
   Result<gpu::Buffer> commands = gpu::Buffer::create("plant commands", kCommandBytes, gpu::BufferUse::Dynamic);
   if (!commands) return commands.error();
@@ -62,7 +64,8 @@ Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
   Result<gpu::ReadbackRing> counts = gpu::ReadbackRing::create("plant counts", kCommandBytes);
   if (!counts) return counts.error();
   pass.m_place = *place;
-  pass.m_draw = *draw;
+  pass.m_plain = *plain;
+  pass.m_textured = *textured;
   pass.m_commands = std::move(*commands);
   pass.m_blocks = std::move(*blocks);
   pass.m_counts = std::move(*counts);
@@ -97,8 +100,7 @@ Status PlantPass::upload(Kind& kind, const PlantMesh& near, const PlantMesh& far
 Status PlantPass::makeTexture(Kind& kind, const PlantMesh& mesh) {
   const std::vector<MipLevel> levels = mipLevels(mesh);
   if (levels.empty()) return Done{};
-  const gpu::TextureOptions options{
-      .levels = 0, .filter = gpu::Filter::Trilinear, .wrap = wrapOf(mesh), .anisotropy = 4.0f};
+  const gpu::TextureOptions options{.levels = 0, .filter = gpu::Filter::Trilinear, .wrap = wrapOf(mesh)};
   Result<gpu::Texture> texture = gpu::Texture::create2D("plant", mesh.textureSize, GL_SRGB8_ALPHA8, options);
   if (!texture) return texture.error();
   for (std::size_t level = 0; level < levels.size(); ++level)
@@ -216,7 +218,6 @@ void PlantPass::draw(const gpu::PassState& state) {
   // The draws read the plants as vertices, and their counts, that place_plants wrote.
   glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
   m_blocks.bindStorage(RENDER_SSBO_PLANT_KINDS);
-  m_draw->use();
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.name());
   for (std::size_t i = 0; i < m_kinds.size(); ++i) {
     const Kind& kind = m_kinds[i];
@@ -224,9 +225,10 @@ void PlantPass::draw(const gpu::PassState& state) {
     gpu::PassState own = state;
     own.coverage = textured ? gpu::Coverage::FromAlpha : gpu::Coverage::Off;
     gpu::apply(own);
-    m_draw->set("species", static_cast<int>(i));
-    m_draw->set("textured", textured ? 1.0f : 0.0f);
-    m_draw->set("alphaCutoff", kind.mesh.alphaCutoff);
+    gpu::Program& program = textured ? *m_textured : *m_plain;
+    program.use();
+    program.set("species", static_cast<int>(i));
+    program.set("alphaCutoff", kind.mesh.alphaCutoff);
     if (textured) kind.texture.bind(RENDER_TEXTURE_PLANT);
     kind.array.bind();
     const std::size_t offset = i * PLANT_LEVELS * sizeof(PlantCommand);

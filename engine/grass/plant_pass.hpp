@@ -58,7 +58,8 @@ class PlantPass {
   void bindPlants(Kind& kind) const;
 
   gpu::Program* m_place = nullptr;
-  gpu::Program* m_draw = nullptr;
+  gpu::Program* m_plain = nullptr;
+  gpu::Program* m_textured = nullptr;
   gpu::Buffer m_plants, m_commands, m_blocks;
   gpu::ReadbackRing m_counts;
   std::vector<Kind> m_kinds;

@@ -64,8 +64,13 @@ float scaleFor(const Light& light, float cutoff, float wanted) {
   for (const glm::vec4& p : light.pixels) alphas.push_back(p.a);
   const auto above = static_cast<std::size_t>(std::lround(wanted * static_cast<float>(alphas.size())));
   if (above == 0) return 1.0f;
-  std::ranges::nth_element(alphas, alphas.begin() + static_cast<std::ptrdiff_t>(above - 1), std::greater<>());
-  const float least = alphas[above - 1];
+  std::ranges::sort(alphas, std::greater<>());
+  // Many pixels may have the same alpha: with all of them or without, whichever comes nearer.
+  const auto [first, last] = std::ranges::equal_range(alphas, alphas[above - 1], std::greater<>());
+  const auto with = static_cast<std::size_t>(last - alphas.begin()),
+             without = static_cast<std::size_t>(first - alphas.begin());
+  const bool all = without == 0 || with - above <= above - without;
+  const float least = all ? alphas[above - 1] : alphas[without - 1];
   return least > 1e-3f ? std::clamp(cutoff / least, 0.25f, 8.0f) : 1.0f;
 }
 

@@ -105,11 +105,13 @@ def draw_stem(canvas, random, x):
         t = (i - 29) / 15
         px, py = points[i]
         for side in (-1, 1):
-            reach = (0.007 + 0.030 * math.sin(math.pi * (0.15 + 0.8 * t)) * (1 - 0.6 * t)) * random.uniform(0.6, 1.25)
-            ex, ey = px + side * reach, py + 0.2 * reach - 0.012
-            canvas.stroke([(px, py), ((px + ex) / 2, (py + ey) / 2 + 0.007), (ex, ey)], [0.0013, 0.0013], [STRAW, STRAW])
+            if random.uniform(0, 1) < 0.2:
+                continue
+            reach = (0.007 + 0.030 * math.sin(math.pi * (0.15 + 0.8 * t)) * (1 - 0.6 * t)) * random.uniform(0.45, 1.4)
+            ex, ey = px + side * reach, py + random.uniform(-0.1, 0.7) * reach - 0.010
+            canvas.stroke([(px, py), ((px + ex) / 2, (py + ey) / 2 + 0.007), (ex, ey)], [0.0010, 0.0010], [STRAW, STRAW])
             shade = random.uniform(0.75, 1.2)
-            canvas.blob(ex, ey - 0.007, 0.0040, 2.9, math.radians(90 - 28 * side) + random.uniform(-0.3, 0.3),
+            canvas.blob(ex, ey - 0.007, 0.0040, 2.9, math.radians(90 - 28 * side) + random.uniform(-0.5, 0.5),
                         [min(1.0, shade * c) for c in head])
 
 

@@ -5,6 +5,7 @@
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/atmosphere.glsl"
+#include "shaders/include/tone_map.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/plant_pose.glsl"
 #include "shaders/shared/plant_block.h"
@@ -21,11 +22,15 @@ layout(location = 7) in uvec3 look;    // tint, felt, canopy
 layout(std430, binding = RENDER_SSBO_PLANT_KINDS) readonly buffer Kinds { PlantKind kinds[]; };
 uniform int species;
 
+#ifdef TEXTURED
 out vec2 plantUv;
 out vec4 plantAlbedo;
 out vec3 plantLight;
 out vec3 plantGloss;
 out vec4 plantHaze;  // its colour and part
+#else
+out vec3 plantPicture;
+#endif
 
 // The rotation that brings +y to `up`.
 vec3 tilted(vec3 at, vec3 up) {
@@ -84,16 +89,24 @@ void main() {
   float sunlit = smoothstep(-0.15, 0.15, point.position.y - shade.x);
   float sun = sunInCanopy(canopy, grass.levels.z) * sunlit;
   float low = heightWindShade(point.position.y / max(canopySlope.x, 0.05), shade.y) * mix(tint.b, 1.0, 0.5 * canopy);
-  plantLight = thinLight(n, v, petal, sun, canopy) * mix(low, 1.0, petal) * canopySlope.y;
+  vec3 light = thinLight(n, v, petal, sun, canopy) * mix(low, 1.0, petal) * canopySlope.y;
   vec3 h = normalize(v + frame.sunDirection.xyz);
-  plantGloss = frame.sunColour.rgb * (mix(0.018, 0.006, petal) * pow(max(dot(n, h), 0.0), 12.0) * sun);
+  vec3 gloss = frame.sunColour.rgb * (mix(0.018, 0.006, petal) * pow(max(dot(n, h), 0.0), 12.0) * sun);
 
   float hue = 2.0 * tint.g - 1.0;
   vec3 vary = vec3(1.0) + hue * mix(vec3(0.14, 0.03, -0.12), vec3(0.05, -0.02, -0.05), petal);
   vec3 albedo = meshColour.rgb * kind.tint.rgb * vary * mix(2.0 * tint.r, 1.0, 0.6 * petal);
-  plantAlbedo = vec4(mix(albedo * mapColour(root.xz), albedo, petal), meshColour.a);
-  plantUv = meshUv;
+  albedo = mix(albedo * mapColour(root.xz), albedo, petal);
   vec3 ray = world - frame.cameraPosition.xyz;
-  plantHaze = vec4(hazeColour(normalize(ray)), hazeAmount(length(ray)));
+  vec4 haze = vec4(hazeColour(normalize(ray)), hazeAmount(length(ray)));
+#ifdef TEXTURED
+  plantAlbedo = vec4(albedo, meshColour.a);
+  plantUv = meshUv;
+  plantLight = light;
+  plantGloss = gloss;
+  plantHaze = haze;
+#else
+  plantPicture = toPicture(mix(albedo * light + gloss, haze.rgb, haze.a));
+#endif
   gl_Position = frame.viewProjection * vec4(world, 1.0);
 }

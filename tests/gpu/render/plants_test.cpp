@@ -137,12 +137,12 @@ TEST_F(Plants, ThinOutInTheMarginAndEndThere) {
 TEST_F(Plants, ThinSmoothlyWithTheirSizeInThePicture) {
   long last = 1'000'000;
   long most = 0;
-  for (float metres = 80.0f; metres < 700.0f; metres *= 1.15f) {
+  for (float metres = 8.0f; metres < 130.0f; metres *= 1.12f) {
     m_input.camera.orthographicHeight = metres;
-    const auto now = static_cast<long>(placed().size());
+    const auto now = static_cast<long>(placed({.culling = false}).size());
     EXPECT_LE(now, last) << metres << " m";
     if (last < 1'000'000) {
-      EXPECT_GE(now, last - 900) << "no sudden loss at " << metres << " m";
+      EXPECT_GE(now, last * 55 / 100 - 100) << "no sudden loss at " << metres << " m";
     }
     most = std::max(most, now);
     last = now;
@@ -152,7 +152,7 @@ TEST_F(Plants, ThinSmoothlyWithTheirSizeInThePicture) {
 }
 
 TEST_F(Plants, LeaveOutWhatIsOutOfSight) {
-  setCamera({0.0f, 2.0f, 30.0f}, {0.0f, 2.0f, 60.0f});
+  setCamera({0.0f, 2.0f, 60.0f}, {0.0f, 2.0f, 90.0f});
   EXPECT_TRUE(placed().empty()) << "the meadow lies behind the camera";
   setCamera({0.0f, 2.0f, 0.0f}, {0.0f, 1.0f, -10.0f});
   const auto some = placed().size(), all = placed({.thinning = false, .culling = false}).size();
@@ -220,9 +220,8 @@ TEST_F(Plants, LeaveSteepSlopesBare) {
   const std::vector<PlantInstance> everywhere = everyPlant();
   EXPECT_GT(within(everywhere, {1.0f, -kHalf}, {5.0f, kHalf}), 200);
   for (const PlantInstance& plant : everywhere) {
-    if (std::abs(plant.x) < 5.0f && std::abs(plant.x) > 1.0f) {
-      ASSERT_NEAR(plant.y, ridge({plant.x, plant.z}), 0.2f);
-    }
+    if (std::abs(plant.x) > 5.0f || std::abs(plant.x) < 1.0f) continue;
+    ASSERT_NEAR(plant.y, ridge({plant.x, plant.z}), 0.2f);
   }
 }
 
@@ -231,7 +230,7 @@ TEST_F(Plants, BendWithTheWind) {
     m_wind = uniformWind(wind);
     m_input.wind = {m_wind.name(), makeGridMapping(m_project.field->centre, m_project.field->size, {16, 16})};
     glm::vec2 sum(0.0f);
-    const std::vector<PlantInstance> plants = placed();
+    const std::vector<PlantInstance> plants = everyPlant();
     for (const PlantInstance& plant : plants) sum += glm::unpackHalf2x16(plant.bend);
     return sum / static_cast<float>(plants.size());
   };

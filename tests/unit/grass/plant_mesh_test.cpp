@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/grass/flower_mesh.hpp"
 #include "engine/grass/mesh_simplify.hpp"
 #include "engine/grass/plant_texture_mips.hpp"
@@ -127,8 +129,11 @@ TEST(PlantTextureMips, KeepTheirCoverage) {
   mesh.alphaCutoff = 0.5f;
   // Thin lines: plain averaging would lose them by the third level.
   for (int y = 0; y < 64; ++y) {
-    for (int x = 0; x < 64; ++x)
-      mesh.texture.insert(mesh.texture.end(), {40, 160, 30, static_cast<std::uint8_t>((x + y / 3) % 5 == 0 ? 255 : 0)});
+    for (int x = 0; x < 64; ++x) {
+      const bool line =
+          std::abs(std::sin(0.31f * static_cast<float>(x) + 2.0f * std::sin(0.13f * static_cast<float>(y)))) < 0.25f;
+      mesh.texture.insert(mesh.texture.end(), {40, 160, 30, static_cast<std::uint8_t>(line ? 255 : 0)});
+    }
   }
   const std::vector<MipLevel> levels = mipLevels(mesh);
   ASSERT_EQ(levels.size(), 7u);
