@@ -8,6 +8,7 @@
 #include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/grass/plant_pass.hpp"
+#include "engine/model/collider_motion.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
@@ -105,7 +106,8 @@ class FrameRendererImpl final : public FrameRenderer {
     moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
-    m_parts.plants.prepare(plantView(input));
+    const std::vector<ColliderPrimitive> touching = colliderPrimitives(*input.project, input.time);
+    m_parts.plants.prepare(plantView(input, touching));
     drawScene(input);
     if (input.overlays.any()) {
       const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
@@ -194,13 +196,14 @@ class FrameRendererImpl final : public FrameRenderer {
     m_windSampler.bind();
   }
 
-  [[nodiscard]] PlantView plantView(const FrameInput& input) const {
+  [[nodiscard]] PlantView plantView(const FrameInput& input, std::span<const ColliderPrimitive> touching) const {
     return {.eye = glm::vec3(m_block.cameraPosition),
             .orthographic = m_block.cameraPosition.w > 0.5f,
             .pixelScale = m_block.pixelScale.x,
             .detail = input.quality.detail,
             .thinning = input.quality.thinning,
-            .culling = input.quality.culling};
+            .culling = input.quality.culling,
+            .touching = touching};
   }
 
   void moveGrass(const FrameInput& input) {

@@ -8,7 +8,8 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_maps.glsl"
-#include "shaders/include/plant_pose.glsl"
+#include "shaders/include/virtual_wind.glsl"
+#include "shaders/include/plant_bend.glsl"
 #include "shaders/shared/plant_block.h"
 #include "shaders/shared/hash.h"
 
@@ -136,7 +137,7 @@ bool makePlant(ivec2 cell, uint index, uint seed, PlantKind kind, out PlantInsta
   float phase = unit(state);
   float factor = kind.motion.x / (1.0 + kind.motion.y * (2.0 * unit(state) - 1.0));
   vec2 felt = rippledWind(root, smoothWind(root), kind.motion.z);
-  vec2 bend = plantPose(felt, factor, phase, kind.motion.z);
+  vec2 bend = plantPose(at, tallness * kind.size.x, felt, factor, phase, kind.motion.z);
 
   float shadow = max(solids.shadowHeight, softened(ground.shadowHeight));
   vec3 up = normalize(mix(vec3(0.0, 1.0, 0.0), groundLight(root, 0.0).normal, kind.motion.w));

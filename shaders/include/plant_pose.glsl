@@ -1,12 +1,4 @@
-// How a plant that isn't a blade stands at a moment. Needs frame.glsl, noise.glsl, wind_field.glsl.
-
-// Its bend (direction times angle of the tip, rad), all but what things that touch it do. `felt` is the wind at its
-// root with its ripples, `factor` F over its own stiffness; `phase` in 0..1 is its own.
-vec2 plantPose(vec2 felt, float factor, float phase, float flutter) {
-  float lean = 6.2831853 * phase;
-  vec2 rest = vec2(cos(lean), sin(lean)) * (0.03 + 0.16 * fract(7.31 * phase));
-  return arcSteadyBend(rest, felt, factor) + 0.6 * arcFlutter(felt, frame.viewForward.w, phase, 0.6 + 0.4 * fract(3.7 * phase), flutter);
-}
+// How a plant that isn't a blade stands at a moment. Needs frame.glsl, noise.glsl, wind_field.glsl, meadow.glsl.
 
 struct PlantPoint {
   vec3 position;  // from the root, m

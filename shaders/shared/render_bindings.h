@@ -43,6 +43,7 @@
 #define RENDER_SSBO_PLANTS 1
 #define RENDER_SSBO_PLANT_COMMANDS 2
 #define RENDER_SSBO_PLANT_KINDS 3
+#define RENDER_SSBO_PLANT_TOUCHING 4
 #define RENDER_SSBO_VIRTUAL_BLADES 4
 // The stepping pass of the patches; table and state are read by the placing pass, too.
 #define RENDER_SSBO_PATCHES 4

@@ -14,6 +14,7 @@
 namespace windloom {
 namespace {
 
+using shared::ColliderPrimitive;
 using shared::PlantInstance;
 using testing::above;
 using testing::difference;
@@ -240,6 +241,43 @@ TEST_F(Plants, BendWithTheWind) {
   EXPECT_GT(strong.x, weak.x);
   EXPECT_LT(strong.x, 1.55f) << "never lies down";
   EXPECT_LT(std::abs(strong.y), 0.1f);
+}
+
+TEST_F(Plants, BendWithTheVirtualWindWhereGrassHasInertia) {
+  setSpecies([](Species&) {}, [](GrassSettings& grass) { grass.deformation = Deformation::Inertial; });
+  m_wind = uniformWind({6.0f, 0.0f});
+  m_input.wind = {m_wind.name(), makeGridMapping(m_project.field->centre, m_project.field->size, {16, 16})};
+  for (int frame = 0; frame < 40; ++frame) {
+    m_input.time += 1.0 / 30.0;
+    m_renderer->advance(m_input);
+  }
+  glm::vec2 sum(0.0f);
+  const std::vector<PlantInstance> plants = everyPlant();
+  for (const PlantInstance& plant : plants) sum += glm::unpackHalf2x16(plant.bend);
+  sum /= static_cast<float>(plants.size());
+  EXPECT_GT(sum.x, 0.1f);
+  EXPECT_LT(sum.x, 1.5f);
+  EXPECT_LT(std::abs(sum.y), 0.1f);
+}
+
+TEST_F(Plants, GiveWayToWhatTouchesThem) {
+  const std::vector<ColliderPrimitive> ball{{glm::vec4(2.0f, 0.5f, -3.0f, 0.5f), glm::vec4(2.0f, 0.5f, -3.0f, 0.0f)}};
+  const std::vector<PlantInstance> free = everyPlant(),
+                                   pushed = placed({.thinning = false, .culling = false, .touching = ball});
+  ASSERT_EQ(free.size(), pushed.size());
+  int moved = 0;
+  for (std::size_t i = 0; i < free.size(); ++i) {
+    const glm::vec2 away = glm::vec2(pushed[i].x, pushed[i].z) - glm::vec2(2.0f, -3.0f);
+    const glm::vec2 bend = glm::unpackHalf2x16(pushed[i].bend);
+    if (glm::length(away) > 1.5f) {
+      EXPECT_EQ(pushed[i].bend, free[i].bend) << "at " << glm::length(away) << " m";
+    } else if (glm::length(away) < 0.5f) {
+      ++moved;
+      EXPECT_GT(glm::dot(bend, glm::normalize(away)), 0.7f) << "outwards";
+      EXPECT_LT(glm::length(bend), 1.55f);
+    }
+  }
+  EXPECT_GT(moved, 0);
 }
 
 TEST_F(Plants, ShowThemselvesAndTheWindInThePicture) {
