@@ -103,26 +103,30 @@ Status InstancedGrass::configure(const FieldSettings& field, const GrassSettings
   return Done{};
 }
 
-Status InstancedGrass::makeRoomFor(const GrassBlock& block, const GrassQuality& quality) {
+Status InstancedGrass::makeRoomFor(const GrassBlock& block, const GrassQuality& quality, bool chains) {
   const double most = (quality.thinning ? kMostBlades : kMostUnthinned) / GRASS_CHUNK;
   m_chunkLimit = static_cast<std::uint32_t>(std::min(chunksInRange(block), most));
   if (Status made = grow(m_chunks, "grass chunks", m_chunkLimit * sizeof(GrassChunk)); !made) return made;
   if (Status made = grow(m_blades, "grass blades", m_chunkLimit * GRASS_CHUNK * sizeof(GrassBlade)); !made) return made;
+  const std::size_t chained = chains ? m_chunkLimit * GRASS_CHUNK : 1u;
+  if (Status made = grow(m_chains, "grass chains", chained * sizeof(glm::uvec4)); !made) return made;
   const std::uint32_t tiles = tilesInRings(block);
   if (Status made = grow(m_tileWork, "grass tiles", tiles * sizeof(std::uint32_t)); !made) return made;
   return grow(m_groupWork, "grass groups", groupsOf(tiles) * sizeof(glm::uvec4));
 }
 
 Status InstancedGrass::bindSettings(const GrassSettings& grass, std::span<const Species> species,
-                                    const GrassQuality& quality, const shared::FrameBlock& frame, int occluderLevels) {
+                                    const GrassQuality& quality, const shared::FrameBlock& frame, int occluderLevels,
+                                    Chains chains) {
   GrassBlock block = makeGrassBlock(grass, species, m_layout, quality, frame);
+  block.limits.y = chains == Chains::Some ? 1.0f : 0.0f;
   block.limits.z = occluderLevels > 0 ? 1.0f : 0.0f;
   block.limits.w = static_cast<float>(occluderLevels);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_GRASS);
   m_tiles = tilesInRings(block);
   if (m_tiles == 0) return Done{};
-  Status room = makeRoomFor(block, quality);
+  Status room = makeRoomFor(block, quality, chains == Chains::Some);
   if (!room) m_tiles = 0;
   return room;
 }
@@ -152,6 +156,7 @@ void InstancedGrass::prepare() {
   // place_blades reads the chunks of list_chunks and the group count of scan_groups.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   m_place->use();
+  m_chains.bindStorage(RENDER_SSBO_CHAINS);
   m_place->dispatchIndirect(m_commands, offsetof(GrassCommands, groupsX));
 }
 
@@ -164,6 +169,7 @@ void InstancedGrass::draw(const gpu::PassState& state) {
   m_chunks.bindStorage(RENDER_SSBO_CHUNKS);
   m_blades.bindStorage(RENDER_SSBO_BLADES);
   m_commands.bindStorage(RENDER_SSBO_COMMANDS);
+  m_chains.bindStorage(RENDER_SSBO_CHAINS);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.name());
   for (std::size_t level = 0; level < GRASS_LEVELS; ++level) {
     m_blade[level]->use();

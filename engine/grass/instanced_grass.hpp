@@ -22,6 +22,8 @@ namespace windloom {
 
 class InstancedGrass {
  public:
+  enum class Chains { None, Some };
+
   /// Fails with Machine.
   static Result<InstancedGrass> create(gpu::ShaderLibrary& shaders);
 
@@ -31,12 +33,12 @@ class InstancedGrass {
 
   /// Fills the settings block for this frame; it stays bound for all passes of the frame, also the ground's. Makes room
   /// for what may be seen; fails with Machine, and then nothing is drawn. `occluderLevels`: of the pyramid bound at
-  /// RENDER_TEXTURE_OCCLUDERS, 0: none.
+  /// RENDER_TEXTURE_OCCLUDERS, 0: none. `chains`: whether blades may lean otherwise than their bend.
   Status bindSettings(const GrassSettings& grass, std::span<const Species> species, const GrassQuality& quality,
-                      const shared::FrameBlock& frame, int occluderLevels);
+                      const shared::FrameBlock& frame, int occluderLevels, Chains chains);
 
-  /// Culls and places. The frame block, wind, noise, ground, solid and occluder textures must be bound
-  /// (render_bindings.h).
+  /// Culls and places. What GrassDynamics and the colliders bind, the frame block, wind, noise, ground, solid and
+  /// occluder textures must be bound (render_bindings.h).
   void prepare();
 
   /// Draws into the target of `state`.
@@ -49,14 +51,14 @@ class InstancedGrass {
  private:
   InstancedGrass() = default;
   Status setBounds(const GrassLayout& layout, const HeightField* ground);
-  Status makeRoomFor(const GrassBlock& block, const GrassQuality& quality);
+  Status makeRoomFor(const GrassBlock& block, const GrassQuality& quality, bool chains);
 
   GrassLayout m_layout;
   gpu::Program *m_cull = nullptr, *m_scan = nullptr, *m_list = nullptr, *m_place = nullptr;
   std::array<gpu::Program*, GRASS_LEVELS> m_blade{};
   std::array<gpu::Buffer, GRASS_LEVELS> m_indices;
   std::array<gpu::VertexArray, GRASS_LEVELS> m_strips;
-  gpu::Buffer m_settings, m_chunks, m_blades, m_commands, m_bounds, m_tileWork, m_groupWork;
+  gpu::Buffer m_settings, m_chunks, m_blades, m_commands, m_bounds, m_tileWork, m_groupWork, m_chains;
   gpu::ReadbackRing m_counts;
   std::uint32_t m_tiles = 0;  // looked at this frame; 0: nothing to draw
   std::uint32_t m_chunkLimit = 0;

@@ -104,20 +104,6 @@ glm::uvec2 plantRoom(const PlantKind& kind, const FieldSettings& field) {
   return {bounded(kMostRoom.x), bounded(kMostRoom.y)};
 }
 
-glm::vec4 touchBounds(std::span<const shared::ColliderPrimitive> touching, float height) {
-  glm::vec2 low(1.0f), high(0.0f);
-  bool first = true;
-  for (const shared::ColliderPrimitive& one : touching) {
-    const float reach = one.a.w + height;
-    const glm::vec2 a(one.a.x, one.a.z), b(one.b.x, one.b.z);
-    const glm::vec2 from = glm::min(a, b) - reach, to = glm::max(a, b) + reach;
-    low = first ? from : glm::min(low, from);
-    high = first ? to : glm::max(high, to);
-    first = false;
-  }
-  return {low, high};
-}
-
 PlantCells cellsInReach(const PlantKind& kind, const FieldSettings& field, const PlantView& view) {
   glm::vec2 low = field.centre - 0.5f * field.size - kMeadowMarginM;
   glm::vec2 high = field.centre + 0.5f * field.size + kMeadowMarginM;

@@ -5,11 +5,9 @@
 // index and the species, so that they stay where they are whatever the camera does. Those of a cell are ordered so that
 // any first part of them covers it evenly.
 
-#include <span>
 #include <vector>
 
 #include "engine/model/project.hpp"
-#include "shaders/shared/collider.h"
 #include "shaders/shared/plant_block.h"
 
 namespace windloom {
@@ -32,13 +30,7 @@ struct PlantView {
   float pixelScale = 1.0f;  ///< pixels a metre covers at 1 m (perspective) or anywhere (orthographic)
   float detail = 1.0f;      ///< as FrameQuality
   bool thinning = true, culling = true;
-  /// What touches the plants, at most kMostTouching count.
-  std::span<const shared::ColliderPrimitive> touching{};
 };
-inline constexpr std::size_t kMostTouching = 512;
-
-/// Low and high x and z of all that touches plants up to `height` m, with its reach; low over high: nothing does.
-glm::vec4 touchBounds(std::span<const shared::ColliderPrimitive> touching, float height);
 
 /// A rectangle of cells.
 struct PlantCells {

@@ -17,7 +17,6 @@
 namespace windloom {
 namespace {
 
-using shared::ColliderPrimitive;
 using shared::PlantCommand;
 using shared::PlantInstance;
 
@@ -62,9 +61,6 @@ Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
   Result<gpu::Buffer> blocks =
       gpu::Buffer::create("plant kinds", PLANT_KINDS * sizeof(PlantKind), gpu::BufferUse::Dynamic);
   if (!blocks) return blocks.error();
-  Result<gpu::Buffer> touching =
-      gpu::Buffer::create("plant touching", kMostTouching * sizeof(ColliderPrimitive), gpu::BufferUse::Dynamic);
-  if (!touching) return touching.error();
   Result<gpu::ReadbackRing> counts = gpu::ReadbackRing::create("plant counts", kCommandBytes);
   if (!counts) return counts.error();
   pass.m_place = *place;
@@ -72,7 +68,6 @@ Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
   pass.m_textured = *textured;
   pass.m_commands = std::move(*commands);
   pass.m_blocks = std::move(*blocks);
-  pass.m_touching = std::move(*touching);
   pass.m_counts = std::move(*counts);
   return pass;
 }
@@ -188,16 +183,6 @@ Status PlantPass::configure(const FieldSettings& field, const GrassSettings& gra
   return Done{};
 }
 
-void PlantPass::bindTouching(const PlantView& view) {
-  const auto touching = view.touching.first(std::min(view.touching.size(), kMostTouching));
-  if (!touching.empty()) m_touching.write(touching);
-  float tallest = 0.0f;
-  for (const Kind& kind : m_kinds) tallest = std::max(tallest, kind.block.size.x * (1.0f + kind.block.size.y) * 2.0f);
-  m_touching.bindStorage(RENDER_SSBO_PLANT_TOUCHING);
-  m_place->set("touchCount", static_cast<int>(touching.size()));
-  m_place->set("touchBounds", touchBounds(touching, tallest));
-}
-
 void PlantPass::prepare(const PlantView& view) {
   if (m_kinds.empty()) return;
   const gpu::DebugGroup group("plants: place");
@@ -214,7 +199,6 @@ void PlantPass::prepare(const PlantView& view) {
   m_commands.bindStorage(RENDER_SSBO_PLANT_COMMANDS);
   m_blocks.bindStorage(RENDER_SSBO_PLANT_KINDS);
   m_place->use();
-  bindTouching(view);
   m_place->set("detail", std::clamp(view.detail, 0.02f, 1.0f));
   m_place->set("margin", kMeadowMarginM);
   m_place->set("thinning", view.thinning ? 1 : 0);

@@ -25,8 +25,7 @@ class PlantPass {
   /// they were.
   Status configure(const FieldSettings& field, const GrassSettings& grass, const std::vector<Species>& species);
 
-  /// Places the plants. Frame block, grass settings, dynamics and maps, wind, noise, ground and solid textures must be
-  /// bound.
+  /// Places the plants. Frame block, grass settings and maps, wind, noise, ground and solid textures must be bound.
   void prepare(const PlantView& view);
 
   /// Draws into the target of `state`; its coverage is set here.
@@ -57,12 +56,11 @@ class PlantPass {
   static Status makeTexture(Kind& kind, const PlantMesh& mesh);
   Status makeRoom(std::vector<PlantKind>& blocks, const FieldSettings& field);
   void bindPlants(Kind& kind) const;
-  void bindTouching(const PlantView& view);
 
   gpu::Program* m_place = nullptr;
   gpu::Program* m_plain = nullptr;
   gpu::Program* m_textured = nullptr;
-  gpu::Buffer m_plants, m_commands, m_blocks, m_touching;
+  gpu::Buffer m_plants, m_commands, m_blocks;
   gpu::ReadbackRing m_counts;
   std::vector<Kind> m_kinds;
   FieldSettings m_field;

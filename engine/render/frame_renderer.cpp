@@ -8,13 +8,13 @@
 #include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/grass/plant_pass.hpp"
-#include "engine/model/collider_motion.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/grass_dynamics.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
+#include "engine/render/occluders.hpp"
 #include "engine/render/overlay_pass.hpp"
 #include "engine/render/scene_targets.hpp"
 #include "engine/render/solids.hpp"
@@ -26,6 +26,8 @@ namespace {
 // Below this detail a software renderer draws one sample a pixel and a simpler ground: there the time goes
 // further in blades.
 constexpr float kSoftwareFullDetail = 0.6f;
+// Hills and solids as the culling sees them: a texel is 4 to 8 pixels wide.
+constexpr glm::ivec2 kOccluderSize{256, 128};
 
 struct Parts {
   InstancedGrass grass;
@@ -36,6 +38,7 @@ struct Parts {
   GroundPass ground;
   SolidPass solids;
   ColliderPass colliders;
+  Occluders occluders;
   OverlayPass overlays;
   gpu::Texture noise;
   gpu::Buffer frame;
@@ -60,13 +63,15 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!colliders) return colliders.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
+  Result<Occluders> occluders = Occluders::create(shaders, kOccluderSize);
+  if (!occluders) return occluders.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),    std::move(*maps),   std::move(*plants), std::move(*dynamics),
-               std::move(*backdrop), std::move(*ground), std::move(*solids), std::move(*colliders),
-               std::move(*overlays), std::move(*noise),  std::move(*frame)};
+  return Parts{std::move(*grass),     std::move(*maps),     std::move(*plants), std::move(*dynamics),
+               std::move(*backdrop),  std::move(*ground),   std::move(*solids), std::move(*colliders),
+               std::move(*occluders), std::move(*overlays), std::move(*noise),  std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -102,12 +107,13 @@ class FrameRendererImpl final : public FrameRenderer {
     if (!adoptProject(*input.project) || !fitTargets(input)) return stats();
     m_timer.beginFrame();
     bindFrame(input);
+    m_timer.stage("occluders");
+    updateOccluders(input);
     m_timer.stage("grass dynamics");
     moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
-    const std::vector<ColliderPrimitive> touching = colliderPrimitives(*input.project, input.time);
-    m_parts.plants.prepare(plantView(input, touching));
+    m_parts.plants.prepare(plantView(input));
     drawScene(input);
     if (input.overlays.any()) {
       const auto detail = quick(input) ? OverlayDetail::Quick : OverlayDetail::Full;
@@ -181,8 +187,13 @@ class FrameRendererImpl final : public FrameRenderer {
     m_block = makeFrameBlock(input, defaultLight());
     m_parts.frame.write(&m_block, sizeof m_block);
     m_parts.frame.bindUniform(RENDER_UBO_FRAME);
+    const Project& project = *input.project;
+    const bool inertial = project.grass->deformation == Deformation::Inertial;
+    const bool remembers = inertial || !project.colliders->empty() || m_parts.dynamics.touched();
+    const auto chains = remembers ? InstancedGrass::Chains::Some : InstancedGrass::Chains::None;
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling};
-    accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block, 0));
+    accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block,
+                                      occluding() ? m_parts.occluders.levels() : 0, chains));
     m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
     m_parts.ground.bind();
@@ -196,14 +207,26 @@ class FrameRendererImpl final : public FrameRenderer {
     m_windSampler.bind();
   }
 
-  [[nodiscard]] PlantView plantView(const FrameInput& input, std::span<const ColliderPrimitive> touching) const {
+  [[nodiscard]] PlantView plantView(const FrameInput& input) const {
     return {.eye = glm::vec3(m_block.cameraPosition),
             .orthographic = m_block.cameraPosition.w > 0.5f,
             .pixelScale = m_block.pixelScale.x,
             .detail = input.quality.detail,
             .thinning = input.quality.thinning,
-            .culling = input.quality.culling,
-            .touching = touching};
+            .culling = input.quality.culling};
+  }
+
+  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || !m_parts.ground.flat(); }
+
+  void updateOccluders(const FrameInput& input) {
+    if (!occluding()) {
+      m_parts.occluders.bind();
+      return;
+    }
+    m_parts.occluders.update([&](const gpu::PassState& state) {
+      m_parts.solids.draw(state);
+      if (!m_parts.ground.flat()) m_parts.ground.draw(state, m_block, input.camera, Backdrop::GroundDetail::Quick);
+    });
   }
 
   void moveGrass(const FrameInput& input) {

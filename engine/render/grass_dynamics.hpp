@@ -24,6 +24,9 @@ class GrassDynamics {
   /// grass by what the colliders did shortly before. All that InstancedGrass::prepare needs must be bound.
   void advance(const Project& project, double seconds);
 
+  /// Whether anything is still bent by what touched it.
+  [[nodiscard]] bool touched() const { return !m_patches.cells().patches().empty(); }
+
   /// For the passes that place blades.
   void bind() const;
 

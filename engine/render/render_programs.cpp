@@ -13,6 +13,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"terrain/ground mesh", {"terrain/ground_mesh.vert", "terrain/ground.frag"}, "FULL_DETAIL"},
     {"terrain/ground mesh quick", {"terrain/ground_mesh.vert", "terrain/ground.frag"}},
     {"terrain/solid map", {"terrain/solid_map.vert", "terrain/solid_map.frag"}},
+    {"terrain/occluder level", {"terrain/occluder_level.comp"}},
     {"terrain/solid", {"terrain/solid.vert", "terrain/solid.frag"}},
     {"terrain/solid polygon", {"terrain/solid_polygon.vert", "terrain/solid.frag"}},
     {"terrain/collider", {"terrain/collider.vert", "terrain/collider.frag"}},

@@ -34,6 +34,7 @@ class SolidPass {
   void updateMap();
   void bindMap() const;
   void draw(const gpu::PassState& state) const;
+  [[nodiscard]] bool any() const { return m_count > 0; }
 
  private:
   SolidPass() = default;

@@ -9,12 +9,15 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/tone_map.glsl"
+#include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_shape.glsl"
+#include "shaders/include/grass_maps.glsl"
 #include "shaders/include/grass_tiles.glsl"
 
 layout(std430, binding = RENDER_SSBO_CHUNKS) readonly buffer Chunks { GrassChunk chunks[]; };
 layout(std430, binding = RENDER_SSBO_BLADES) readonly buffer Blades { GrassBlade blades[]; };
 layout(std430, binding = RENDER_SSBO_COMMANDS) readonly buffer Commands { GrassCommands commands; };
+layout(std430, binding = RENDER_SSBO_CHAINS) readonly buffer Chains { uvec4 chains[]; };
 uniform uint level;
 
 out vec3 bladeColour;  // of the picture
@@ -44,25 +47,28 @@ void main() {
   vec2 sizes = unpackHalf2x16(blade.sizes);
   vec2 facing = facingOf(blade.facing);
   vec2 bend = unpackHalf2x16(blade.bend);
+  bool chained = blade.chain != 0u;
+  uvec4 packed4 = chained ? chains[chunk * GRASS_CHUNK + lane] : uvec4(0u);
+  ChainLeans leans = ChainLeans(vec2[](unpackHalf2x16(packed4.x), unpackHalf2x16(packed4.y), unpackHalf2x16(packed4.z), unpackHalf2x16(packed4.w)));
   float rootHeight = mix(frame.groundRange.x, frame.groundRange.y, float(blade.facing >> 16u) / 65535.0);
   vec3 root = vec3(blade.x, rootHeight, blade.z);
   vec3 normal = groundNormal(root.xz);
   float tall = grass.baseColour.w * pixelsPerMetre(root);
 
-  Spine spine = spineAt(bend, s, facing, sizes.x);
+  Spine spine = spineAt(bend, chained, leans, s, facing, sizes.x);
   float taper = SEGMENTS == 1 ? 1.3 * (1.0 - s) : taperAt(s);
 #if SEGMENTS == 6
   float coarser = smoothstep(1.5 * grass.levels.x, grass.levels.x, tall);
   if (coarser > 0.0 && (row & 1) == 1) {
-    Spine before = spineAt(bend, s - 1.0 / 6.0, facing, sizes.x);
-    Spine after = spineAt(bend, s + 1.0 / 6.0, facing, sizes.x);
+    Spine before = spineAt(bend, chained, leans, s - 1.0 / 6.0, facing, sizes.x);
+    Spine after = spineAt(bend, chained, leans, s + 1.0 / 6.0, facing, sizes.x);
     spine.position = mix(spine.position, 0.5 * (before.position + after.position), coarser);
     float tipwards = row == 5 ? 0.0 : taperAt(s + 1.0 / 6.0);
     taper = mix(taper, 0.5 * (taperAt(s - 1.0 / 6.0) + tipwards), coarser);
   }
 #elif SEGMENTS == 3
   float coarser = smoothstep(2.0 * grass.levels.y, grass.levels.y, tall);
-  spine.position = mix(spine.position, spineAt(bend, 1.0, facing, sizes.x).position * s, coarser);
+  spine.position = mix(spine.position, spineAt(bend, chained, leans, 1.0, facing, sizes.x).position * s, coarser);
   taper = mix(taper, 1.3 * (1.0 - s), coarser);
 #endif
   spine.position = planted(spine.position, normal);
@@ -81,7 +87,7 @@ void main() {
   bladeColour = afar;
 #else
   vec2 shade = unpackHalf2x16(blade.shade);
-  BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, 2.0 * foot.a, shade.x, shade.y, unpackUnorm4x8(blade.tint), normal);
+  BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, 2.0 * foot.a, shade.x, shade.y, unpackUnorm4x8(blade.tint), normal, mapColour(root.xz));
   float seen = mix(s, 1.0 - seenDepth(v.y) * (1.0 - s), tip.a);
   vec3 place = spine.position + vec3(0.0, (seen - s) * sizes.x, 0.0);
   vec3 lit = bladeLight(look, place, spine.tangent, seen, side, edge, v);

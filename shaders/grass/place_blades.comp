@@ -11,36 +11,42 @@
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/tone_map.glsl"
 #include "shaders/include/occluders.glsl"
+#include "shaders/include/grass_maps.glsl"
+#include "shaders/include/colliders.glsl"
 #include "shaders/include/grass_blades.glsl"
+#include "shaders/include/virtual_wind.glsl"
+#include "shaders/include/blade_chain.glsl"
+#include "shaders/include/blade_pose.glsl"
 #include "shaders/include/blade_shape.glsl"
+#include "shaders/include/grass_patches.glsl"
 
 layout(local_size_x = GRASS_CHUNK * GRASS_CHUNKS_A_GROUP) in;
 layout(std430, binding = RENDER_SSBO_CHUNKS) buffer Chunks { GrassChunk chunks[]; };
 layout(std430, binding = RENDER_SSBO_BLADES) writeonly buffer Blades { GrassBlade blades[]; };
 layout(std430, binding = RENDER_SSBO_COMMANDS) buffer Commands { GrassCommands commands; };
+layout(std430, binding = RENDER_SSBO_CHAINS) writeonly buffer Chains { uvec4 chains[]; };  // half2: leans of the segments
 
 shared uint drawnLanes[GRASS_CHUNKS_A_GROUP];  // bit by lane of the chunk
 
-const float kMaxRestBend = 0.75;  // rad
 const float kFootLit = 0.2, kTipLit = 0.7;  // along a blade: stand for its foot and tip
 const float kMeanLit = 0.44;                  // and what lies between them for all of it
 
 // The colour of a blade that is too small on screen to be lit at every vertex: lit at two places.
-void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float hidden, vec3 root, vec2 bend, vec2 facing) {
+void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float hidden, vec3 root, BladePose pose, vec2 facing) {
   vec3 v = directionToCamera(root + vec3(0.0, 0.5 * look.height, 0.0));
-  vec3 side = bladeSide(bend, facing, v);
+  vec3 side = bladeSide(pose.bend, facing, v);
   // Blades that stand for those they hide look as these do: seen from the top down.
   float depth = seenDepth(v.y);
   float crowd = 1.0 - single * (1.0 - hidden);
   vec3 colours[2];
   for (int i = 0; i < 2; ++i) {
     float s = i == 0 ? mix(kFootLit, 1.0 - 0.85 * depth, crowd) : mix(kTipLit, 1.0 - 0.15 * depth, crowd);
-    Spine spine = spineAt(bend, s, facing, look.height);
+    Spine spine = spineAt(pose.bend, blade.chain != 0u, pose.leans, s, facing, look.height);
     vec3 tangent = planted(spine.tangent, look.ground);
     vec3 place = planted(spine.position, look.ground);
     vec3 light = 0.5 * (bladeLight(look, place, tangent, s, side, -0.7, v) + bladeLight(look, place, tangent, s, side, 0.7, v));
     if (single < 1.0) {
-      vec3 other = bladeSide(bend, vec2(facing.y, -facing.x), v);
+      vec3 other = bladeSide(pose.bend, vec2(facing.y, -facing.x), v);
       vec3 more = 0.5 * (bladeLight(look, place, tangent, s, other, -0.7, v) + bladeLight(look, place, tangent, s, other, 0.7, v));
       light = mix(light, more, 0.5 - 0.5 * single);
     }
@@ -60,7 +66,25 @@ uint packFacing(vec2 facing, uint species, float height) {
   return (uint(turn * 2048.0) & 2047u) | species << 11u | uint(clamp(part, 0.0, 1.0) * 65535.0 + 0.5) << 16u;
 }
 
-bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
+// The blade's pose, with what of it objects have bent; false: it is hidden under one.
+bool poseOf(BladeRoot own, vec2 felt, int patchSlot, uint index, out BladePose pose, out bool chained) {
+  pose = blockPose(own, felt);
+  chained = grass.size.w == GRASS_DEFORMATION_INERTIAL;
+  if (patchSlot < 0 || grass.limits.y < 0.5) return true;
+  ChainLeans touched;
+  if (!patchLeans(patchSlot, index, touched)) return false;
+  for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
+    pose.leans.e[i] += touched.e[i];
+    chained = chained || touched.e[i] != vec2(0.0);
+  }
+  return true;
+}
+
+uvec4 packLeans(ChainLeans leans) {
+  return uvec4(packHalf2x16(leans.e[0]), packHalf2x16(leans.e[1]), packHalf2x16(leans.e[2]), packHalf2x16(leans.e[3]));
+}
+
+bool makeBlade(ivec2 tile, uint index, uint total, int patchSlot, out GrassBlade blade, out uvec4 leans) {
   BladeRoot own = bladeRoot(tile, index, total);
   vec2 root = own.root;
   vec3 place = vec3(root.x, groundHeight(root), root.y);
@@ -76,6 +100,7 @@ bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
   uint state = own.state;
   float margin = inMargin(root);
   if (unit(state) < margin * margin) return false;
+  if (unit(state) >= mapDensity(root) * slopeDensity(ground.normal)) return false;
   SolidsNear solids = solidsNear(root);
   float solid = solids.distanceM;
   if (solid < 0.02) return false;
@@ -83,22 +108,16 @@ bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
 
   uint clumpState = pcgHash(own.clump ^ 0x68bc21ebu);
   float shareClump = grass.size.z;
-  float height = own.height * mix(0.55, 1.0, grown);
-  height *= 0.6 + 0.4 * smoothstep(0.0, 0.5, solid);
-  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, margin));
-  canopy *= 1.0 + 0.5 * shareClump * (noiseAtLevel(root, 13.0, 1.0).g - 0.5);
-  height *= canopy;
+  float canopy = canopyAround(root, margin);
+  float height = own.height * mix(0.55, 1.0, grown) * (0.6 + 0.4 * smoothstep(0.0, 0.5, solid)) * canopy;
   float width = grass.species[own.species].form.x * bladeWidening(pixels) * grown * (0.8 + 0.4 * unit(state));
 
   vec2 facing = own.facing;
-  vec2 wind = groupWind(root);
-  vec2 felt = rippledWind(root, wind, grass.motion.z);
-  vec2 bend = felt * own.factor;
-  if (grass.size.w != GRASS_DEFORMATION_QUADRATIC) {
-    // The droop of eq. 11 as a rest bend: k2 moves the tip forward by k2 of the height.
-    vec2 rest = facing * min(grass.droop.y * 1.38 * (0.7 + 4.5 * unit(state) * unit(state)), kMaxRestBend);
-    bend = arcSteadyBend(rest, felt, own.factor) + arcFlutter(felt, frame.viewForward.w, unit(state), 0.75 + 0.5 * unit(state), grass.motion.z);
-  }
+  vec2 felt = rippledWind(root, groupWind(root), grass.motion.z);
+  BladePose pose;
+  bool chained;
+  if (!poseOf(own, felt, patchSlot, index, pose, chained)) return false;
+  leans = packLeans(pose.leans);
 
   // A blade that stands for many takes on what they have in common.
   float single = singleness(pixels);
@@ -114,13 +133,13 @@ bool makeBlade(ivec2 tile, uint index, uint total, out GrassBlade blade) {
   blade.z = root.y;
   blade.sizes = packHalf2x16(vec2(height, width));
   blade.facing = packFacing(facing, own.species, place.y);
-  blade.bend = packHalf2x16(bend);
+  blade.bend = packHalf2x16(pose.bend);
   blade.shade = packHalf2x16(vec2(solids.shadowHeight, shadeForce(length(felt))));
-  blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright * slope, 0.5 + 0.5 * hue, openness(solid)));
-  blade.unused = 0u;
+  blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright * slope * colliderShade(middle), 0.5 + 0.5 * hue, openness(solid)));
+  blade.chain = chained ? 1u : 0u;
   float share = canopy * grass.species[own.species].base.w / grass.baseColour.w;
-  BladeLook look = BladeLook(own.species, height, share, solids.shadowHeight, shadeForce(length(felt)), unpackUnorm4x8(blade.tint), ground.normal);
-  lightFromAfar(blade, look, single, hiddenPart(facingCamera), place, bend, facing);
+  BladeLook look = BladeLook(own.species, height, share, solids.shadowHeight, shadeForce(length(felt)), unpackUnorm4x8(blade.tint), ground.normal, mapColour(root));
+  lightFromAfar(blade, look, single, hiddenPart(facingCamera), place, pose, facing);
   return true;
 }
 
@@ -131,17 +150,22 @@ void main() {
   if (lane == 0u) drawnLanes[part] = 0u;
   barrier();
   GrassBlade blade;
+  uvec4 leans;
   bool drawn = false;
   bool valid = at < commands.chunks;
   if (valid) {
     GrassChunk chunk = chunks[at];
     ivec2 tile = ivec2(chunk.x, chunk.z);
-    drawn = lane < chunk.count && makeBlade(tile, chunk.first + lane, bladesInTile(tileHash(tile)), blade);
+    drawn = lane < chunk.count && makeBlade(tile, chunk.first + lane, bladesInTile(tileHash(tile)), patchOf(tile), blade, leans);
     if (drawn) atomicOr(drawnLanes[part], 1u << lane);
   }
   barrier();
   uint lanes = drawnLanes[part];
-  if (drawn) blades[at * GRASS_CHUNK + uint(bitCount(lanes & ((1u << lane) - 1u)))] = blade;
+  if (drawn) {
+    uint slot = at * GRASS_CHUNK + uint(bitCount(lanes & ((1u << lane) - 1u)));
+    blades[slot] = blade;
+    if (blade.chain != 0u) chains[slot] = leans;
+  }
   if (valid && lane == 0u) {
     chunks[at].count = uint(bitCount(lanes));
     atomicAdd(commands.blades, uint(bitCount(lanes)));

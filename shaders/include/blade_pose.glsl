@@ -1,5 +1,5 @@
 // The pose of a blade in the wind, as blocks have it. Needs frame.glsl, noise.glsl, ground.glsl, wind_field.glsl, meadow.glsl,
-// grass_tiles.glsl, solids.glsl, grass_blades.glsl, virtual_wind.glsl, blade_chain.glsl.
+// grass_tiles.glsl, solids.glsl, grass_maps.glsl, grass_blades.glsl, virtual_wind.glsl, blade_chain.glsl.
 
 const float kMaxRestBend = 0.75;  // rad
 
@@ -8,11 +8,15 @@ struct BladePose {
   ChainLeans leans;  // of its segments over the bend
 };
 
-// m: lower beside solids and in the meadow's margin, but whatever the camera sees of it.
+// Height of the canopy around a place over the mean one: lower in the meadow's margin.
+float canopyAround(vec2 root, float margin) {
+  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, margin)) * mapHeight(root);
+  return canopy * (1.0 + 0.5 * grass.size.z * (noiseAtLevel(root, 13.0, 1.0).g - 0.5));
+}
+
+// m: lower beside solids, too, but whatever the camera sees of it.
 float standingHeight(BladeRoot own) {
-  float height = own.height * (0.6 + 0.4 * smoothstep(0.0, 0.5, solidsNear(own.root).distanceM));
-  float canopy = mix(1.0, 0.3, smoothstep(0.0, 0.8, inMargin(own.root)));
-  return height * canopy * (1.0 + 0.5 * grass.size.z * (noiseAtLevel(own.root, 13.0, 1.0).g - 0.5));
+  return own.height * (0.6 + 0.4 * smoothstep(0.0, 0.5, solidsNear(own.root).distanceM)) * canopyAround(own.root, inMargin(own.root));
 }
 
 // `felt`: wind with its ripples.

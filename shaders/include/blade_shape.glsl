@@ -1,5 +1,5 @@
 // A blade's shape and light from its record. Needs frame.glsl, ground.glsl, wind_field.glsl, meadow.glsl, atmosphere.glsl,
-// tone_map.glsl.
+// tone_map.glsl, blade_chain.glsl.
 
 struct Spine {
   vec3 position;  // from the root, m
@@ -13,24 +13,16 @@ vec2 facingOf(uint bits) {
 
 uint speciesOf(uint bits) { return bits >> 11u & 31u; }
 
-Spine spineAt(vec2 bend, float s, vec2 facing, float height) {
+// `chained`: its segments lean over the bend.
+Spine spineAt(vec2 bend, bool chained, ChainLeans leans, float s, vec2 facing, float height) {
   Spine spine;
-  if (grass.size.w != GRASS_DEFORMATION_QUADRATIC) {
-    float angle = length(bend);
-    vec2 towards = angle > 1e-5 ? bend / angle : facing;
-    ArcPoint point = arcAt(min(angle, 1.54), s);
-    spine.position = vec3(towards.x * point.position.x, point.position.y, towards.y * point.position.x) * height;
-    spine.tangent = vec3(towards.x * point.tangent.x, point.tangent.y, towards.y * point.tangent.x);
-    return spine;
+  if (chained) {
+    leaningPoint(bend, leans, facing, s, spine.position, spine.tangent);
+    spine.position *= height;
+  } else {
+    spine.position = posePoint(bend, facing, s) * height;
+    spine.tangent = poseTangent(bend, facing, s);
   }
-  // Blade-local x runs across the blade, z to its front.
-  vec2 across = vec2(facing.y, -facing.x);
-  vec2 local = vec2(dot(bend, across), dot(bend, facing));
-  vec3 here = quadraticAt(vec3(0.0, s, 0.0), local, grass.droop.x, grass.droop.y, grass.motion.w);
-  vec3 next = quadraticAt(vec3(0.0, s + 0.05, 0.0), local, grass.droop.x, grass.droop.y, grass.motion.w);
-  vec3 step = next - here;
-  spine.position = vec3(across.x * here.x + facing.x * here.z, here.y, across.y * here.x + facing.y * here.z) * height;
-  spine.tangent = normalize(vec3(across.x * step.x + facing.x * step.z, step.y, across.y * step.x + facing.y * step.z) + vec3(0.0, 1e-5, 0.0));
   return spine;
 }
 
@@ -59,6 +51,7 @@ struct BladeLook {
   float force;         // |F| of eq. 14
   vec4 tint;           // as GrassBlade
   vec3 ground;         // normal
+  vec3 colour;         // factor
 };
 
 // Light of the picture at `s` along it; `place` from the root, `towardsEdge` in units of half its width.
@@ -74,7 +67,8 @@ vec3 bladeLight(BladeLook blade, vec3 place, vec3 tangent, float s, vec3 side, f
   at.dense = grass.levels.z;
   at.sunlit = smoothstep(-0.15, 0.15, place.y - blade.shadowHeight);
   at.shade = heightWindShade(place.y / blade.height, blade.force) * mix(blade.tint.a, 1.0, 0.5 * canopy);
-  vec3 albedo = laidAlbedo(bladeAlbedo(blade.species, s, blade.tint.r, 2.0 * blade.tint.g, 2.0 * blade.tint.b - 1.0), tangent);
+  vec3 own = bladeAlbedo(blade.species, s, blade.tint.r, 2.0 * blade.tint.g, 2.0 * blade.tint.b - 1.0);
+  vec3 albedo = laidAlbedo(own * blade.colour, tangent);
   // The cross-section is curved: the normal turns towards the edge.
   vec3 light = lightBlade(albedo, normalize(n + 0.55 * edge * side), tangent, v, at);
   return light + contourLift(blade.ground, v, at.sunlit * at.height);

@@ -1,4 +1,15 @@
-// How a plant that isn't a blade stands at a moment. Needs frame.glsl, noise.glsl, wind_field.glsl, meadow.glsl.
+// How a plant that isn't a blade stands at a moment. Needs frame.glsl, noise.glsl, wind_field.glsl.
+
+// Its lean in still air (direction times angle of the tip, rad); `phase` in 0..1 is its own.
+vec2 plantRest(float phase) {
+  float lean = 6.2831853 * phase;
+  return vec2(cos(lean), sin(lean)) * (0.03 + 0.16 * fract(7.31 * phase));
+}
+
+// What it moves around its steady bend by. `felt` is the wind at its root with its ripples.
+vec2 plantFlutter(vec2 felt, float phase, float flutter) {
+  return 0.6 * arcFlutter(felt, frame.viewForward.w, phase, 0.6 + 0.4 * fract(3.7 * phase), flutter);
+}
 
 struct PlantPoint {
   vec3 position;  // from the root, m

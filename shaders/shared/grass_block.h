@@ -72,7 +72,7 @@ struct GrassBlade {
   uint foot;        // unorm4: its colour in the picture from afar at the foot; half the height of the canopy around it over
                     // the mean one
   uint tip;         // unorm4: the same at the tip; part of the blades around it that it hides
-  uint unused;
+  uint chain;       // 1: the leans of its segments stand in the list of chains
 };
 
 /// Arguments of indirect commands, written by the culling passes.

@@ -37,15 +37,16 @@
 #define RENDER_SSBO_GROUND_TILES 4
 #define RENDER_SSBO_GRASS_BOUNDS 4
 #define RENDER_SSBO_CORNERS 5
-#define RENDER_SSBO_TILE_WORK 6
-#define RENDER_SSBO_GROUP_WORK 7
+// The culling of tiles has neither solids nor patches.
+#define RENDER_SSBO_TILE_WORK 3
+#define RENDER_SSBO_GROUP_WORK 5
+#define RENDER_SSBO_CHAINS 3
 // The placing of plants other than blades has no chunks, blades and solids.
 #define RENDER_SSBO_PLANTS 1
 #define RENDER_SSBO_PLANT_COMMANDS 2
 #define RENDER_SSBO_PLANT_KINDS 3
-#define RENDER_SSBO_PLANT_TOUCHING 4
 #define RENDER_SSBO_VIRTUAL_BLADES 4
-// The stepping pass of the patches; table and state are read by the placing pass, too.
+// The stepping pass of the patches. The placing passes read table and state, too: nothing else in between is bound there.
 #define RENDER_SSBO_PATCHES 4
 #define RENDER_SSBO_PRIMITIVES 5
 #define RENDER_SSBO_PATCH_TABLE 6

@@ -8,6 +8,8 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
+#include "shaders/include/grass_maps.glsl"
+#include "shaders/include/colliders.glsl"
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/scene_output.glsl"
 
@@ -41,8 +43,10 @@ void main() {
   covered *= 1.0 - hiddenPart(dot(slope.normal, v));
   float blended = grass.tileCentre.w > 0.5 ? 0.0 : 1.0 - covered;
   float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileCentre.z));
+  mean *= mapDensity(world) * slopeDensity(slope.normal);
+  light *= colliderShade(groundWorld);
   vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
-  vec3 meadow = meadowColour(world, wind, v, slope.normal, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);
+  vec3 meadow = meadowColour(world, wind, v, slope.normal, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels) * mapColour(world);
   float litter = smoothstep(0.35, 0.7, 0.6 * fine.a + 0.4 * mid.r);
   vec3 ground = undergrowth(litter, 0.65 + 0.7 * fine.b, sunlit, open);
   writeScene(throughAir(mix(ground, meadow, mean) * light, groundWorld));

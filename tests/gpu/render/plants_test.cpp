@@ -14,7 +14,6 @@
 namespace windloom {
 namespace {
 
-using shared::ColliderPrimitive;
 using shared::PlantInstance;
 using testing::above;
 using testing::difference;
@@ -258,26 +257,6 @@ TEST_F(Plants, BendWithTheVirtualWindWhereGrassHasInertia) {
   EXPECT_GT(sum.x, 0.1f);
   EXPECT_LT(sum.x, 1.5f);
   EXPECT_LT(std::abs(sum.y), 0.1f);
-}
-
-TEST_F(Plants, GiveWayToWhatTouchesThem) {
-  const std::vector<ColliderPrimitive> ball{{glm::vec4(2.0f, 0.5f, -3.0f, 0.5f), glm::vec4(2.0f, 0.5f, -3.0f, 0.0f)}};
-  const std::vector<PlantInstance> free = everyPlant(),
-                                   pushed = placed({.thinning = false, .culling = false, .touching = ball});
-  ASSERT_EQ(free.size(), pushed.size());
-  int moved = 0;
-  for (std::size_t i = 0; i < free.size(); ++i) {
-    const glm::vec2 away = glm::vec2(pushed[i].x, pushed[i].z) - glm::vec2(2.0f, -3.0f);
-    const glm::vec2 bend = glm::unpackHalf2x16(pushed[i].bend);
-    if (glm::length(away) > 1.5f) {
-      EXPECT_EQ(pushed[i].bend, free[i].bend) << "at " << glm::length(away) << " m";
-    } else if (glm::length(away) < 0.5f) {
-      ++moved;
-      EXPECT_GT(glm::dot(bend, glm::normalize(away)), 0.7f) << "outwards";
-      EXPECT_LT(glm::length(bend), 1.55f);
-    }
-  }
-  EXPECT_GT(moved, 0);
 }
 
 TEST_F(Plants, ShowThemselvesAndTheWindInThePicture) {
