@@ -227,7 +227,7 @@ void addCupPetal(Builder& b, const Plant& plant, const Head& head, int index) {
       const glm::vec3 normal = head.face * (1.1f - 0.8f * t) - head.out(turn + 0.3f * ruffle) * (0.2f + 0.7f * t);
       // A dark blotch inside, deeper red low, silky light at the rim and along the folds.
       const float fold = 1.0f + 0.12f * std::sin(43.0f * turn + own) * t;
-      const glm::vec3 colour = row == 0 ? kBlotch : plant.petal * (0.25f + 0.85f * std::pow(t, 0.8f)) * fold;
+      const glm::vec3 colour = row == 0 ? kBlotch : plant.petal * (0.16f + 1.0f * std::pow(t, 0.9f)) * fold;
       grid[row][column] = b.vertex(head.at(turn, radius, rise), normal, {colour, row == 0 ? 0.2f : 1.0f, t});
     }
   }
@@ -313,12 +313,25 @@ FlowerMesh makeSpike(const Plant& plant) {
   addFlatStem(far, plant, 0.6f);
   for (const float turn : {0.0f, 0.25f}) {
     const glm::vec3 side = around(turn), out = around(turn + 0.25f) + glm::vec3(0, 0.4f, 0);
-    const glm::vec3 low = Plant::spine(kFoot - 0.02f), mid = Plant::spine(kFoot + 0.1f), top = Plant::spine(1.0f);
-    const Skin deep{plant.petal * 0.75f, 1, 0.2f}, light{glm::mix(plant.petal, glm::vec3(0.9f), 0.07f), 1, 0.4f};
-    const float r = 0.85f * spikeRadius(0.15f);
-    const std::uint32_t a = far.vertex(low, out, deep), l = far.vertex(mid - side * r, out, light),
-                        e = far.vertex(mid + side * r, out, light), d = far.vertex(top, out, deep);
-    far.quad(a, e, d, l);
+    constexpr int kRows = 4;
+    std::uint32_t left = 0, right = 0;
+    for (int row = 0; row <= kRows; ++row) {
+      const float t = static_cast<float>(row) / kRows;
+      const glm::vec3 middle = Plant::spine(glm::mix(kFoot - 0.02f, 1.0f, t));
+      // Florets and the gaps between them, as rows of light and deep.
+      const bool gap = row % 2 == 0;
+      const glm::vec3 bright = glm::mix(plant.petal, glm::vec3(0.9f), 0.08f);
+      const Skin skin{gap ? glm::mix(plant.petal, plant.green, 0.25f) * 0.7f : bright, 1, 0.3f};
+      if (row == kRows) {
+        far.triangle(left, right, far.vertex(middle, out, skin));
+        break;
+      }
+      const float r = spikeRadius(t) * (row == 0 ? 0.35f : gap ? 0.7f : 0.95f);
+      const std::uint32_t l = far.vertex(middle - side * r, out, skin), e = far.vertex(middle + side * r, out, skin);
+      if (row > 0) far.quad(left, right, e, l);
+      left = l;
+      right = e;
+    }
   }
   made.far = far.finish();
   return made;

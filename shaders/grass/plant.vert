@@ -54,7 +54,7 @@ vec3 thinLight(vec3 n, vec3 v, float petal, float sun, float sky, float canopy) 
 
 void main() {
   PlantKind kind = kinds[species];
-  bool flower = kind.kind.x > 0.5;
+  bool flower = kind.tint.w > 0.5;
   float petal = flower ? meshUv.x : 0.0;
   vec2 size = unpackHalf2x16(sizes);
   vec2 turn = unpackSnorm2x16(stance.y);
@@ -93,7 +93,7 @@ void main() {
   float low = heightWindShade(point.position.y / max(canopySlope.x, 0.05), shade.y) * mix(tint.b, 1.0, 0.5 * canopy);
   vec3 light = thinLight(n, v, petal, sun, shaded.y, canopy) * mix(low, 1.0, petal) * canopySlope.y;
   vec3 h = normalize(v + frame.sunDirection.xyz);
-  vec3 gloss = frame.sunColour.rgb * (mix(0.018, 0.006, petal) * pow(max(dot(n, h), 0.0), 12.0) * sun);
+  vec3 gloss = frame.sunColour.rgb * (mix(0.018, 0.03, petal) * pow(max(dot(n, h), 0.0), 12.0) * sun);
 
   float hue = 2.0 * tint.g - 1.0;
   vec3 vary = vec3(1.0) + hue * mix(vec3(0.14, 0.03, -0.12), vec3(0.05, -0.02, -0.05), petal);
