@@ -63,7 +63,6 @@ class PlantReader {
         if (drawn(primitive) && !known) m_used.push_back(primitive.material);
       }
     }
-    if (m_use == MeshUse::Object) return Done{};
     Result<std::vector<gltf::PlantMaterial>> made = gltf::packMaterials(m_model, m_used, m_file, *m_mesh);
     if (!made) return made.error();
     m_materials = std::move(*made);
@@ -228,8 +227,7 @@ bool isGltf(const fs::path& file) {
 Result<std::shared_ptr<PlantMesh>> readPlantFile(const fs::path& file, MeshUse use) {
   if (!isGltf(file)) return refuse(file, "is no mesh, expected a glTF file (.glb or .gltf)");
   try {
-    const auto pictures = use == MeshUse::Plant ? gltf::Pictures::Keep : gltf::Pictures::Leave;
-    const Result<tinygltf::Model> model = gltf::parse(file, pictures);
+    const Result<tinygltf::Model> model = gltf::parse(file, gltf::Pictures::Keep);
     if (!model) return model.error();
     Result<std::shared_ptr<PlantMesh>> mesh = PlantReader(*model, file, use).read();
     if (mesh && use == MeshUse::Object) (*mesh)->spheres = packSpheres(**mesh);

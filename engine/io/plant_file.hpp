@@ -16,7 +16,7 @@ namespace windloom {
 
 enum class MeshUse {
   Plant,   ///< at most kMaxPlantTriangles; must rise over its root
-  Object,  ///< at most kMaxObjectTriangles; gets spheres, no texture
+  Object,  ///< at most kMaxObjectTriangles; gets spheres
 };
 
 /// `file` of the mesh stays empty. Fails with BadInput, the file named, where it is missing, damaged, empty or over a

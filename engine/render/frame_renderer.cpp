@@ -232,7 +232,7 @@ class FrameRendererImpl final : public FrameRenderer {
   void moveGrass(const FrameInput& input) {
     const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
     if (accept(m_parts.dynamics.fitWind(*input.project->grass, input.wind.grid.resolution, most))) {
-      m_parts.dynamics.advance(*input.project, input.time);
+      m_parts.dynamics.advance(*input.project, input.time, quick(input) ? RunUp::Quick : RunUp::Full);
     }
     m_parts.dynamics.bind();
   }

@@ -48,11 +48,14 @@ void GrassDynamics::touch(const Project& project, const TouchSteps& steps) {
   }
 }
 
-void GrassDynamics::advance(const Project& project, double seconds) {
+void GrassDynamics::advance(const Project& project, double seconds, RunUp runUp) {
   const DynamicsStep swing = m_bladeClock.advance(seconds);
   if (project.grass->deformation == Deformation::Inertial) m_blades.step(swing);
   m_blades.bind();
-  const TouchSteps steps = m_touchClock.advance(seconds, double(project.field->timeStep));
+  // While time stands, an edited collider shows at once what it would have done; while it runs, it just goes on.
+  if (project.colliders != m_colliders && m_touchClock.standsAt(seconds)) m_touchClock.forget();
+  m_colliders = project.colliders;
+  const TouchSteps steps = m_touchClock.advance(seconds, double(project.field->timeStep), runUp);
   // Without colliders nothing is touched; what was touched before they went rises on.
   if (steps.count == 0 || (project.colliders->empty() && m_patches.cells().patches().empty())) return;
   touch(project, steps);

@@ -16,13 +16,13 @@ class GrassDynamics {
 
   /// Takes over the meadow; what grass remembers of another one is dropped. Fails with Machine.
   Status configure(const Project& project, const GrassLayout& layout);
-  /// Takes over the wind's grid, for at most so many virtual blades a side; costs nothing while it stays the same. Fails
-  /// with Machine.
+  /// Takes over the wind's grid, for at most so many virtual blades a side; costs nothing while it stays the same.
+  /// Fails with Machine.
   Status fitWind(const GrassSettings& grass, glm::ivec2 cells, int mostBlades);
 
   /// To `seconds` of simulated time. A jump in time begins anew: inertial grass at rest in the present wind, touched
   /// grass by what the colliders did shortly before. All that InstancedGrass::prepare needs must be bound.
-  void advance(const Project& project, double seconds);
+  void advance(const Project& project, double seconds, RunUp runUp);
 
   /// Whether anything is still bent by what touched it.
   [[nodiscard]] bool touched() const { return !m_patches.cells().patches().empty(); }
@@ -39,6 +39,7 @@ class GrassDynamics {
   GrassPatches m_patches;
   DynamicsClock m_bladeClock;
   TouchClock m_touchClock;
+  Shared<std::vector<Collider>> m_colliders;  // of the last frame
   glm::ivec2 m_cells{-1};
 };
 

@@ -13,20 +13,26 @@ struct TouchSteps {
   float seconds = 0;
 };
 
-inline constexpr double kTouchMemoryS = 4.0;          ///< after it, touched grass of the usual swing stands again
-inline constexpr double kLongestTouchGapS = 0.5;      ///< a longer way ahead is a jump
-inline constexpr double kTouchRunUpStepS = 1.0 / 30;  ///< of the steps that lead to a time after a jump
+inline constexpr double kTouchMemoryS = 4.0;      ///< after it, touched grass of the usual swing stands again
+inline constexpr double kLongestTouchGapS = 0.5;  ///< a longer way ahead is a jump
+
+enum class RunUp {
+  Full,   ///< after a jump kTouchMemoryS, in steps as when playing: shows what playing shows
+  Quick,  ///< a part of it in longer steps, where it must not take long
+};
 
 class TouchClock {
  public:
-  /// The way from the last call to `time` (s) in steps of about `stepSeconds`. The first call, a way back and a long
-  /// way ahead are jumps: they begin at rest kTouchMemoryS before `time`.
-  TouchSteps advance(double time, double stepSeconds);
+  /// The way from the last call to `time` (s) in steps of about `stepSeconds`. The first call, a way back and a long way
+  /// ahead are jumps, and so is a full run-up after a quick one: they begin at rest before `time`.
+  TouchSteps advance(double time, double stepSeconds, RunUp runUp = RunUp::Full);
+  [[nodiscard]] bool standsAt(double time) const { return m_time == time; }
   /// The next call is a jump.
   void forget() { m_time.reset(); }
 
  private:
   std::optional<double> m_time;
+  double m_quickUntil = 0;  // s: until then a quick run-up is still seen
 };
 
 }  // namespace windloom

@@ -202,5 +202,14 @@ TEST_F(PlantFiles, GivesObjectsSpheres) {
   EXPECT_TRUE(read(standingTriangle())->spheres.empty());
 }
 
+TEST_F(PlantFiles, LeavesObjectsTheirColours) {
+  GltfBuilder builder = standingTriangle();
+  builder.materials = R"({"pbrMetallicRoughness": {"baseColorFactor": [0.25, 0.5, 0.75, 1]}})";
+  builder.primitiveRest += R"(, "material": 0)";
+  const auto mesh = read(builder, MeshUse::Object);
+  ASSERT_TRUE(mesh);
+  EXPECT_EQ(mesh->vertices.front().colour, glm::vec4(0.25f, 0.5f, 0.75f, 1.0f));
+}
+
 }  // namespace
 }  // namespace windloom

@@ -52,5 +52,18 @@ TEST(TouchClock, BackAndFarAheadAreJumps) {
   expectJump(clock.advance(10.5, kStep), 10.5);
 }
 
+TEST(TouchClock, AQuickRunUpIsMadeGoodWhereThereIsTime) {
+  TouchClock clock;
+  const TouchSteps quick = clock.advance(5.0, kStep, RunUp::Quick);
+  EXPECT_TRUE(quick.fromRest);
+  EXPECT_GT(quick.count, 0);
+  EXPECT_LT(quick.count, kTouchMemoryS / kStep / 4);
+  EXPECT_NEAR(quick.start + quick.count * double(quick.seconds), 5.0, 1e-5);
+  EXPECT_FALSE(clock.advance(5.02, kStep, RunUp::Quick).fromRest) << "playing on";
+  expectJump(clock.advance(5.02, kStep, RunUp::Full), 5.02);
+  EXPECT_EQ(clock.advance(5.02, kStep, RunUp::Full).count, 0);
+  EXPECT_FALSE(clock.advance(5.02, kStep, RunUp::Quick).fromRest) << "what is full stays";
+}
+
 }  // namespace
 }  // namespace windloom
