@@ -36,7 +36,9 @@ TEST(GrassDensity, NeverKeepsMoreThanEitherPartAllows) {
       const float kept = keptTogether(layers, width);
       EXPECT_LE(kept, layers);
       EXPECT_LE(kept, width);
-      if (layers >= 1.0f && width >= 1.0f) EXPECT_GE(kept, 1.0f);
+      if (layers >= 1.0f && width >= 1.0f) {
+        EXPECT_GE(kept, 1.0f);
+      }
       EXPECT_LE(kept, keptTogether(layers + 0.1f, width) + 1e-6f);
       EXPECT_LE(kept, keptTogether(layers, width + 0.1f) + 1e-6f);
     }
