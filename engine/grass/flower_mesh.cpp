@@ -310,28 +310,20 @@ FlowerMesh makeSpike(const Plant& plant) {
   made.near = near.finish();
 
   Builder far;
-  addFlatStem(far, plant, 0.6f);
-  for (const float turn : {0.0f, 0.25f}) {
+  addFlatStem(far, plant, 0.97f);
+  // As much petal as near, with as much meadow seen between it.
+  constexpr int kTufts = 8;
+  for (int i = 0; i < kTufts; ++i) {
+    const float t = (static_cast<float>(i) + 0.5f) / kTufts, turn = 0.13f + kGoldenTurn * static_cast<float>(i);
     const glm::vec3 side = around(turn), out = around(turn + 0.25f) + glm::vec3(0, 0.4f, 0);
-    constexpr int kRows = 4;
-    std::uint32_t left = 0, right = 0;
-    for (int row = 0; row <= kRows; ++row) {
-      const float t = static_cast<float>(row) / kRows;
-      const glm::vec3 middle = Plant::spine(glm::mix(kFoot - 0.02f, 1.0f, t));
-      // Florets and the gaps between them, as rows of light and deep.
-      const bool gap = row % 2 == 0;
-      const glm::vec3 bright = glm::mix(plant.petal, glm::vec3(0.9f), 0.08f);
-      const Skin skin{gap ? glm::mix(plant.petal, plant.green, 0.25f) * 0.7f : bright, 1, 0.3f};
-      if (row == kRows) {
-        far.triangle(left, right, far.vertex(middle, out, skin));
-        break;
-      }
-      const float r = spikeRadius(t) * (row == 0 ? 0.35f : gap ? 0.7f : 0.95f);
-      const std::uint32_t l = far.vertex(middle - side * r, out, skin), e = far.vertex(middle + side * r, out, skin);
-      if (row > 0) far.quad(left, right, e, l);
-      left = l;
-      right = e;
-    }
+    const glm::vec3 middle = Plant::spine(glm::mix(kFoot, 1.0f, t));
+    const float r = 1.3f * spikeRadius(t), high = 0.038f;
+    const Skin deep{plant.petal * 0.8f, 1, 0.2f}, light{glm::mix(plant.petal, glm::vec3(0.9f), 0.12f), 1, 0.5f};
+    const std::uint32_t low = far.vertex(middle - glm::vec3(0, high, 0), out, deep),
+                        left = far.vertex(middle - side * r, out, light),
+                        right = far.vertex(middle + side * r, out, light),
+                        top = far.vertex(middle + glm::vec3(0, high, 0), out, deep);
+    far.quad(low, right, top, left);
   }
   made.far = far.finish();
   return made;
