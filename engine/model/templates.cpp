@@ -76,6 +76,18 @@ class Composer {
     added.position = position;
   }
 
+  /// Patches of a species; its other values are the defaults.
+  Species& species(std::string name, PlantShape shape, float weight, float patchiness, float patchSize) {
+    Species& added = m_species.emplace_back();
+    added.id = 600 + static_cast<Id>(m_species.size());
+    added.name = std::move(name);
+    added.shape = shape;
+    added.weight = weight;
+    added.patchiness = patchiness;
+    added.patchSize = patchSize;
+    return added;
+  }
+
   void camera(std::string name, glm::vec3 position, glm::vec3 target, float fieldOfView = 45) {
     Camera& added = m_cameras.emplace_back();
     added.id = 500 + static_cast<Id>(m_cameras.size());
@@ -96,6 +108,7 @@ class Composer {
     m_project.grass = std::make_shared<GrassSettings>(grass);
     m_project.graph = std::make_shared<WindGraph>(std::move(m_graph));
     m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::move(m_obstacles));
+    m_project.species = std::make_shared<std::vector<Species>>(std::move(m_species));
     m_project.probes = std::make_shared<std::vector<Probe>>(std::move(m_probes));
     m_project.cameras = std::make_shared<std::vector<Camera>>(std::move(m_cameras));
     return std::move(m_project);
@@ -113,6 +126,7 @@ class Composer {
   Project m_project;
   WindGraph m_graph;
   std::vector<Obstacle> m_obstacles;
+  std::vector<Species> m_species;
   std::vector<Probe> m_probes;
   std::vector<Camera> m_cameras;
   Id m_lastPoint = 0;
@@ -127,6 +141,26 @@ AmbientWind ambientWind(float speed, float direction, float gustStrength, float 
   wind.gustSize = gustSize;
   wind.gustSpeed = gustSpeed;
   return wind;
+}
+
+/// Measures of a species, m, and its colours.
+void shape(Species& species, float height, float variation, float width, float stiffness, glm::vec3 base,
+           glm::vec3 tip) {
+  species.height = height;
+  species.heightVariation = variation;
+  species.width = width;
+  species.stiffness = stiffness;
+  species.baseColour = base;
+  species.tipColour = tip;
+}
+
+void addFlowers(Composer& make) {
+  shape(make.species("seed heads", PlantShape::Blade, 0.1f, 0.75f, 14), 0.82f, 0.25f, 0.014f, 0.8f,
+        {0.05f, 0.085f, 0.02f}, {0.46f, 0.4f, 0.17f});
+  shape(make.species("daisies", PlantShape::Daisy, 0.03f, 0.85f, 6), 0.58f, 0.25f, 0.006f, 1.2f,
+        {0.04f, 0.085f, 0.016f}, {0.86f, 0.86f, 0.82f});
+  shape(make.species("poppies", PlantShape::Poppy, 0.012f, 0.9f, 10), 0.66f, 0.2f, 0.006f, 1.0f,
+        {0.045f, 0.085f, 0.02f}, {0.5f, 0.02f, 0.01f});
 }
 
 Project makeMeadow() {
@@ -157,6 +191,7 @@ Project makeMeadow() {
   make.probe({-11, 11}, "fork");
   make.probe({-24, -35}, "far left");
   make.probe({39, -24}, "far right");
+  addFlowers(make);
   make.camera("hero", {-40, 2.6f, 40}, {-2, 0, 4}, 48);
   make.camera("hill", {-34, 15, 58}, {2, 0, -4}, 42);
   return make.finish();
