@@ -302,6 +302,7 @@ void App::frame() {
   openDropped();
   const ImGuiIO& io = ImGui::GetIO();
   m_workspace.tick(seconds, {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt});
+  if (const Session* session = m_live->session()) m_workspace.windSeconds = session->time();
   drawInterface();
   runAfterFields();
   m_window->endFrame();

@@ -9,7 +9,7 @@ Result<std::unique_ptr<LiveView>> LiveView::create() {
   auto context = gpu::adoptCurrentContext();
   if (!context) return context.error();
   view->m_context = std::move(context).value();
-  if (view->m_context->info().software) view->m_quality = QualityControl(kSoftwareFrameTargetMs);
+  if (view->m_context->info().software) view->m_quality = QualityControl(kSoftwareTarget);
   auto shaders = gpu::ShaderLibrary::create();
   if (!shaders) return shaders.error();
   view->m_shaders = std::move(shaders).value();

@@ -12,7 +12,8 @@ BoxDrag::BoxDrag(const ToolContext& context, const PointerEvent& press)
 std::optional<Edit> BoxDrag::update(ToolContext& context, const PointerEvent& pointer) {
   m_to = pointer.pixel;
   context.selection = m_before;
-  select(context.selection, pickBox(context.document.project(), context.view, context.ground, m_from, m_to), m_mode);
+  select(context.selection,
+         pickBox(context.document.project(), context.view, context.ground, m_from, m_to, context.windSeconds), m_mode);
   return std::nullopt;
 }
 

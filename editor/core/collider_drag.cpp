@@ -45,10 +45,10 @@ class ColliderDrag : public Drag {
     const auto typed = m_number.value();
     if (m_grip.kind == GripKind::Radius) {
       const glm::vec2 place = snapToGrid(context.settings.snap, m_place, m_held);
-      collider.radius = std::max(kMinRadiusM, typed ? *typed : glm::distance(place, collider.position));
+      collider.radius = std::max(kMinRadiusM, typed ? *typed : glm::distance(place, m_grip.pivot));
       m_text = "radius " + fixed(static_cast<double>(collider.radius), 2) + " m";
     } else {
-      const glm::vec2 way = m_place - collider.position;
+      const glm::vec2 way = m_place - m_grip.pivot;
       const float angle = glm::degrees(std::atan2(way.y, way.x));
       collider.rotation = std::remainder(typed ? *typed : snapAngle(context.settings.snap, angle, m_held), 360.0f);
       m_text = fixed(static_cast<double>(collider.rotation), 1) + " deg";

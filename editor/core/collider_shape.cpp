@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/model/collider_motion.hpp"
+
 namespace windloom::editor {
 namespace {
 
@@ -72,6 +74,25 @@ float reachOf(const Collider& collider) {
   if (collider.shape != ColliderShape::Mesh) return collider.radius + halfLength(collider);
   const auto [low, high] = extentOf(collider);
   return glm::length(glm::max(glm::abs(low), glm::abs(high)));
+}
+
+Collider shownAt(const Collider& collider, double seconds) {
+  Collider shown;
+  shown.id = collider.id;
+  shown.shape = collider.shape;
+  shown.radius = collider.radius;
+  shown.length = collider.length;
+  shown.scale = collider.scale;
+  shown.file = collider.file;
+  shown.mesh = collider.mesh;
+  shown.hidden = collider.hidden;
+  shown.muted = collider.muted;
+  shown.locked = collider.locked;
+  const glm::vec3 offset = colliderOffset(collider, seconds);
+  shown.position = collider.position + glm::vec2(offset.x, offset.z);
+  shown.lift = collider.lift + offset.y;
+  shown.rotation = glm::degrees(colliderHeading(collider, seconds));
+  return shown;
 }
 
 std::vector<glm::vec2> wayOf(const Collider& collider) {

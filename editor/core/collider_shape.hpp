@@ -1,5 +1,6 @@
 #pragma once
 // Where colliders stand on the ground as tools see them: outlines, extents, ways. 2D positions are (x, z) in metres.
+// One that moves is seen as shownAt gives it.
 
 #include <vector>
 
@@ -15,6 +16,9 @@ std::vector<glm::vec2> outlineOf(const Collider& collider);
 bool isInside(const Collider& collider, glm::vec2 world);
 /// No part of it is farther from its position, m.
 float reachOf(const Collider& collider);
+
+/// A stand-in without keys that rests where the collider is at a time, and points as it does there.
+Collider shownAt(const Collider& collider, double seconds);
 
 /// The places of its keys, or its position where it rests.
 std::vector<glm::vec2> wayOf(const Collider& collider);

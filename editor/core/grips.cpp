@@ -71,12 +71,14 @@ void addOutline(const ToolContext& context, std::vector<Grip>& grips) {
 void addCollider(const ToolContext& context, std::vector<Grip>& grips) {
   const Collider* c = findCollider(context.document.project(), context.selection.active());
   if (!c || c->hidden || c->locked) return;
+  const Collider shown = shownAt(*c, context.windSeconds);
   const auto add = [&](GripKind kind, glm::vec2 own) {
-    grips.push_back({kind, c->id, 0, toWorld(*c, own), c->position});
+    grips.push_back({kind, c->id, 0, toWorld(shown, own), shown.position});
   };
   if (c->shape == ColliderShape::Sphere) add(GripKind::Radius, {c->radius, 0.0f});
   if (c->shape == ColliderShape::Capsule) add(GripKind::Radius, {0.0f, c->radius});
-  if (c->shape == ColliderShape::Sphere) return;
+  // One that moves points along its way.
+  if (c->shape == ColliderShape::Sphere || c->keys.size() > 1) return;
   add(GripKind::Turn, {reachOf(*c) + metresFor(context, c->position, 28.0f), 0.0f});
 }
 

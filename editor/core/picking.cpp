@@ -162,11 +162,12 @@ std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Gro
   if (options.colliders) {
     for (const Collider& collider : *project.colliders) {
       if (collider.hidden || collider.locked || collider.id == options.ignore) continue;
-      const float distance = picker.toPlace(collider.position);
+      const Collider shown = shownAt(collider, options.seconds);
+      const float distance = picker.toPlace(shown.position);
       if (distance <= options.radiusPx) {
         hits.push_back({ObjectKind::Collider, collider.id, distance});
       } else {
-        pickOutline(hits, picker, collider, collider.position, ObjectKind::Collider, options.radiusPx);
+        pickOutline(hits, picker, shown, shown.position, ObjectKind::Collider, options.radiusPx);
       }
     }
   }
@@ -185,7 +186,7 @@ Id cycleHit(const std::vector<Hit>& hits, Id current) {
 }
 
 std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 cornerA,
-                        glm::vec2 cornerB) {
+                        glm::vec2 cornerB, double seconds) {
   const glm::vec2 low = glm::min(cornerA, cornerB), high = glm::max(cornerA, cornerB);
   const auto within = [&](glm::vec2 world) {
     const auto pixel = view.groundToScreen(world, ground);
@@ -203,7 +204,7 @@ std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const G
     const bool inside = arrow      ? point && end && within(point->position) && within(end->position)
                         : point    ? within(point->position)
                         : obstacle ? within(obstacle->centre)
-                        : collider ? within(collider->position)
+                        : collider ? within(shownAt(*collider, seconds).position)
                                    : probe && within(probe->position);
     if (inside) found.push_back(id);
   }

@@ -28,7 +28,8 @@ struct Hit {
 struct PickOptions {
   float radiusPx = kHitRadiusPx;  ///< times the interface scale
   bool points = true, arrows = true, obstacles = true, colliders = true, probes = true;
-  Id ignore = 0;  ///< never hit (the point being dragged)
+  Id ignore = 0;       ///< never hit (the point being dragged)
+  double seconds = 0;  ///< of wind time: where colliders are
 };
 
 /// All hits: points, probes and middles of colliders first, then arrows, then outlines of obstacles and colliders, then
@@ -42,6 +43,6 @@ Id cycleHit(const std::vector<Hit>& hits, Id current);
 /// Everything with its handle (points, probes, middles of obstacles and colliders; arrows with both ends) inside the
 /// rectangle.
 std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 cornerA,
-                        glm::vec2 cornerB);
+                        glm::vec2 cornerB, double seconds = 0);
 
 }  // namespace windloom::editor

@@ -6,6 +6,7 @@ namespace windloom::editor {
 
 std::vector<Hit> ToolContext::hits(glm::vec2 pixel, PickOptions options) const {
   options.radiusPx = settings.hitRadiusPx;
+  options.seconds = windSeconds;
   return pick(document.project(), view, ground, pixel, options);
 }
 

@@ -58,6 +58,7 @@ struct ToolContext {
   const Ground& ground;
   BrushStrokes* strokes = nullptr;  ///< where the brush leaves its strokes; null: nowhere
   double seconds = 0;               ///< a clock of real time, for the speed of the pointer
+  double windSeconds = 0;           ///< the time that the view shows: where colliders are
 
   [[nodiscard]] std::optional<glm::vec2> groundAt(glm::vec2 pixel) const { return view.toGround(pixel, ground); }
   [[nodiscard]] std::vector<Hit> hits(glm::vec2 pixel, PickOptions options = {}) const;

@@ -30,7 +30,7 @@ Workspace::Workspace() {
 }
 
 ToolContext Workspace::context() {
-  return {document, selection, toolSettings, view(), ground, &strokes, m_seconds};
+  return {document, selection, toolSettings, view(), ground, &strokes, m_seconds, windSeconds};
 }
 
 bool Workspace::pointerPressed(const PointerEvent& pointer) {

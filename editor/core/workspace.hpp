@@ -45,6 +45,7 @@ class Workspace {
   Ground ground;  ///< follows the document's terrain and the height of its grass
   TerrainLoad terrainLoad;
   AssetLoad assetLoad;
+  double windSeconds = 0;                   ///< the time that the view shows; the app keeps it up to date
   glm::vec2 viewportSize{1280.0f, 720.0f};  ///< pixels; the app keeps it up to date
 
   /// The system's clipboard; the app sets both. Without them copy and paste stay inside the editor.

@@ -10,6 +10,7 @@
 #include "editor/core/collider_shape.hpp"
 #include "editor/core/object_kind.hpp"
 #include "editor/widgets/look.hpp"
+#include "engine/model/collider_motion.hpp"
 #include "engine/model/outline.hpp"
 
 namespace windloom::editor {
@@ -204,30 +205,43 @@ void drawObstacles(const GroundBrush& brush, const Project& project, const Marks
   }
 }
 
-/// Where it goes, at the height of its middle; a dot for each key.
+/// Where it goes; a dot for each key.
 void drawWay(const GroundBrush& brush, const Collider& collider) {
+  constexpr std::size_t kPieces = 8, kMostPieces = 1000;
   const ImU32 colour = packed(look().palette.accent, 0.8f);
-  std::optional<glm::vec3> before;
-  for (const ColliderKey& key : collider.keys) {
-    const glm::vec2 place = collider.position + glm::vec2(key.offset.x, key.offset.z);
-    const glm::vec3 here = brush.ground().lift(place) + glm::vec3(0.0f, collider.lift + key.offset.y, 0.0f);
-    if (before) brush.line(*before, here, colour, scaled(1.5f));
-    if (const auto at = brush.screen(here); at && brush.inside(*at))
-      brush.list().AddCircleFilled(*at, scaled(2.5f), colour);
+  const auto lifted = [&](glm::vec3 offset) {
+    const glm::vec2 place = collider.position + glm::vec2(offset.x, offset.z);
+    return brush.ground().lift(place) + glm::vec3(0.0f, collider.lift + offset.y, 0.0f);
+  };
+  if (collider.keys.size() < 2) return;
+  const double start = double(collider.keys.front().time), end = double(collider.keys.back().time);
+  const std::size_t pieces = std::min(kPieces * (collider.keys.size() - 1), kMostPieces);
+  Collider once = collider;
+  once.loop = false;  // so that the last time is the last key's
+  glm::vec3 before = lifted(once.keys.front().offset);
+  for (std::size_t i = 1; i <= pieces; ++i) {
+    const glm::vec3 here = lifted(colliderOffset(once, start + (end - start) * double(i) / double(pieces)));
+    brush.line(before, here, colour, scaled(1.5f));
     before = here;
+  }
+  if (collider.keys.size() > kMostPieces) return;
+  for (const ColliderKey& key : collider.keys) {
+    if (const auto at = brush.screen(lifted(key.offset)); at && brush.inside(*at))
+      brush.list().AddCircleFilled(*at, scaled(2.5f), colour);
   }
 }
 
-void drawColliders(const GroundBrush& brush, const Project& project, const Marks& marks, bool withOutlines) {
+void drawColliders(const GroundBrush& brush, const Project& project, const Marks& marks, double seconds,
+                   bool withOutlines) {
   const Palette& palette = look().palette;
   for (const Collider& collider : *project.colliders) {
-    const auto at = collider.hidden ? std::nullopt : brush.screen(collider.position);
+    const Collider shown = shownAt(collider, seconds);
+    const auto at = collider.hidden ? std::nullopt : brush.screen(shown.position);
     if (!at) continue;
     const bool selected = marks.selected(collider.id), hovered = marks.hovered == collider.id;
     const ImVec4 plain{0.78f, 0.82f, 1.0f, 0.95f};
     if (selected) drawWay(brush, collider);
-    if (withOutlines || selected || hovered)
-      brush.outline(collider, packed(selected ? palette.accent : plain), scaled(2));
+    if (withOutlines || selected || hovered) brush.outline(shown, packed(selected ? palette.accent : plain), scaled(2));
     if (!brush.inside(*at)) continue;
     const float half = scaled(selected || hovered ? 5.0f : 4.0f), edge = half + scaled(2);
     const auto diamond = [&](float r, ImU32 colour) {
@@ -313,7 +327,7 @@ void drawHandles(const ViewArea& area, const Workspace& workspace, bool withArro
   drawObstacles(brush, project, marks, withArrows);
   drawArrows(brush, *project.graph, marks, withArrows);
   drawPoints(brush, project, marks);
-  drawColliders(brush, project, marks, withArrows);
+  drawColliders(brush, project, marks, workspace.windSeconds, withArrows);
   drawProbes(brush, project, marks);
 }
 

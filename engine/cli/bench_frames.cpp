@@ -93,7 +93,7 @@ Result<FrameTimes> FrameBench::run(const Project& project, Simulation* simulatio
   const int batch = patient ? std::clamp(static_cast<int>(kBatchMs / std::max(oneMs, 0.01)), 1, kMostFrames) : 1;
   std::vector<double> wall;
   run.forget();
-  const Measured frames = measure({1, 3, 20, 0.5 * m_setup->capSeconds}, [&] {
+  const Measured frames = measure({1, 3, 10, 0.5 * m_setup->capSeconds}, [&] {
     double ms = 0;
     const auto work = [&] {
       for (int i = 0; i < batch; ++i) run.frame();

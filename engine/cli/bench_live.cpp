@@ -33,16 +33,20 @@ struct Stretch {
 
 BenchRow rowOf(const char* name, const Stretch& stretch, float detail, const SessionStatus& status) {
   const double ms = median(stretch.ms);
-  return {{"stretch", name},
-          {"frame ms", ms},
-          {"fps", 1000 / ms},
-          {"5% slower than, ms", stretch.slowest(0.05)},
-          {"detail", detail},
-          {"changes of detail", stretch.changes},
-          {"wind cells", std::to_string(status.liveResolution.x) + " x " + std::to_string(status.liveResolution.y)},
-          {"wind step ms", status.stepMs},
-          {"drawn", status.frame.bladesDrawn},
-          {"runs", stretch.ms.size()}};
+  BenchRow row = {
+      {"stretch", name},
+      {"frame ms", ms},
+      {"fps", 1000 / ms},
+      {"5% slower than, ms", stretch.slowest(0.05)},
+      {"detail", detail},
+      {"changes of detail", stretch.changes},
+      {"wind cells", std::to_string(status.liveResolution.x) + " x " + std::to_string(status.liveResolution.y)},
+      {"wind step ms", status.stepMs},
+      {"drawn", status.frame.bladesDrawn},
+      {"runs", stretch.ms.size()}};
+  row["stages"] = Json::object();
+  for (const auto& [stage, stageMs] : status.frame.passMs) row["stages"][stage] = stageMs;
+  return row;
 }
 
 struct Live {
@@ -83,7 +87,7 @@ Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup) {
       benchTarget(setup.picture.value_or(quick ? glm::ivec2(160, 90) : glm::ivec2(1280, 720)));
   if (!target) return target.error();
   (*session)->play();
-  Live live{**session, QualityControl(setup.context->info().software ? kSoftwareFrameTargetMs : kFrameTargetMs), {}};
+  Live live{**session, QualityControl(setup.context->info().software ? kSoftwareTarget : kGpuTarget), {}};
   live.view.camera = viewThrough(project.cameras->front());
   live.view.size = target->size();
   live.view.framebuffer = target->name();

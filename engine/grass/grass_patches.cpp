@@ -70,7 +70,8 @@ Status GrassPatches::makePrimitiveRoom(std::size_t count) {
 Status GrassPatches::configure(const GrassSettings& grass, const GrassLayout& layout, float tallestM) {
   PatchLimits limits;
   limits.tileSideM = layout.tileSideM;
-  limits.reachM = 1.25f * tallestM;  // clumps and species vary it
+  // Clumps vary it, and a map may double it.
+  limits.reachM = (grass.heightPixels != nullptr ? 2.5f : 1.25f) * tallestM;
   limits.bladesInTile = static_cast<int>(std::floor(layout.bladesInTile)) + 1;
   limits.blades = layout.empty() ? 0 : std::max(grass.interacting, 0);
   limits.settledAfterS = settledAfter(grass);

@@ -19,7 +19,7 @@ class GrassPatches {
   /// Fails with Machine. What bind() binds is valid from here on.
   static Result<GrassPatches> create(gpu::ShaderLibrary& shaders);
 
-  /// Takes over the meadow; other tiles or another number of blades drop all patches. `tallestM`: of all blades. On
+  /// Takes over the meadow; other tiles or another number of blades drop all patches. `tallestM`: of all blades without maps. On
   /// failure (Machine) all stays as it was.
   Status configure(const GrassSettings& grass, const GrassLayout& layout, float tallestM);
 

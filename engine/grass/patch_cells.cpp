@@ -156,7 +156,8 @@ void PatchCells::fillList(float dtSeconds) {
     if (patch.fadeLeft >= 0.0f && patch.fadeLeft < kPatchFadeSeconds)
       keep = patch.fadeLeft / (patch.fadeLeft + dtSeconds);
     if (patch.fadeLeft == 0.0f) keep = 0.0f;
-    m_list.push_back({patch.cell.x, patch.cell.y, static_cast<std::uint32_t>(slot), keep});
+    m_list.push_back(
+        {patch.cell.x, patch.cell.y, static_cast<std::uint32_t>(slot), keep, patch.touched >= m_time ? 1u : 0u});
   }
 }
 

@@ -9,7 +9,7 @@ namespace {
 
 constexpr float kLeastRate = 0.05f;      // Hz; below it nothing swings
 constexpr float kLeastDamping = 0.005f;  // of critical
-constexpr float kSlowest = 0.85f;        // a blade's own rate over the meadow's (grass_patches.glsl)
+constexpr float kSlowest = 0.85f;        // a blade's own rate over the meadow's (patchRate)
 
 }  // namespace
 

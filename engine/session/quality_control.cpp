@@ -19,21 +19,25 @@ constexpr Look kLooks[] = {{4, 0, 2.5, 0.6f}, {9, 0.5, 1.4, 0.85f}, {18, 0.5, 1.
 constexpr float kGlideUp = 1.015f;
 
 // Times the target.
-constexpr double kAim = 0.87;  // where lowering wants to get
+constexpr double kAim = 0.87;    // where lowering wants to get
+constexpr double kAimUp = 0.83;  // and raising, if all of the frame were grass
 constexpr double kRoomToSpare = 0.72;
 constexpr double kSlowestOfCalm = 0.9;                   // of the slowest fifth
 constexpr int kLeastPatience = 45, kMostPatience = 720;  // frames
-constexpr double kMostRaise = 1.15;
 // Not all of a frame is grass, and twice the detail is never less than that much more work.
 constexpr double kLeastExponent = 0.35, kMostExponent = 1.0, kFirstExponent = 0.8;
-constexpr double kSmallestFactor = 0.2;
+constexpr double kSmallestFactor = 0.2, kLargestFactor = 2.0;
 // The first frames after a change still show the old detail, and new buffers cost once.
 constexpr std::size_t kSettling = 2;
 
 }  // namespace
 
-QualityControl::QualityControl(double targetMs)
-    : m_targetMs(targetMs), m_patience(kLeastPatience), m_exponent(kFirstExponent) {}
+QualityControl::QualityControl(const QualityTarget& target)
+    : m_targetMs(target.frameMs),
+      m_patience(kLeastPatience),
+      m_detail(target.firstDetail),
+      m_goal(target.firstDetail),
+      m_exponent(kFirstExponent) {}
 
 /// Of the last `frames`: the time that a `part` of them doesn't reach.
 double QualityControl::ranked(std::size_t frames, double part) const {
@@ -73,7 +77,7 @@ void QualityControl::lower(double now, float glide) {
 void QualityControl::raise(double now) {
   m_raisedLast = true;
   learn(now);
-  moveTo(kMostRaise, now, kGlideUp);
+  moveTo(std::min(kAimUp * m_targetMs / now, kLargestFactor), now, kGlideUp);
 }
 
 /// A frame's way to the goal; true: not there yet.

@@ -6,9 +6,14 @@
 
 namespace windloom {
 
-inline constexpr double kFrameTargetMs = 30.0;  ///< on a GPU
-inline constexpr double kSoftwareFrameTargetMs =
-    60.0;  ///< on a software renderer: 15 frames a second with room to spare
+/// What a machine is expected to do.
+struct QualityTarget {
+  double frameMs = 30;       ///< to be kept
+  float firstDetail = 1.0f;  ///< to begin with, where the first frames would else take seconds
+};
+inline constexpr QualityTarget kGpuTarget{};
+/// 15 frames a second with room to spare.
+inline constexpr QualityTarget kSoftwareTarget{.frameMs = 60, .firstDetail = 0.2f};
 
 /// Never pumps: it looks at many frames before it decides, aims below the target by what it learned of how the time
 /// follows the detail, and between "too slow" and "room to spare" there is room for a machine's noise. Raising waits
@@ -16,7 +21,7 @@ inline constexpr double kSoftwareFrameTargetMs =
 /// jump; only frames that are far too slow are helped at once.
 class QualityControl {
  public:
-  explicit QualityControl(double targetMs = kFrameTargetMs);
+  explicit QualityControl(const QualityTarget& target = kGpuTarget);
 
   /// A frame that drew the scene took so long.
   void frameDone(double milliseconds);
@@ -42,7 +47,7 @@ class QualityControl {
   std::size_t m_count = 0;  // frames seen since the detail came to rest
   int m_calmFrames = 0;     // in a row with room to spare
   int m_patience = 0;       // calm frames wanted before the detail is raised
-  float m_detail = 1.0f, m_goal = 1.0f;
+  float m_detail, m_goal;
   float m_glide = 1.0f;  // factor of a frame on the way to the goal
   double m_exponent;     // the time goes as the detail to the power of this
   double m_lastMs = 0;   // at the detail before the last change; 0: not known

@@ -8,6 +8,11 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_maps.glsl"
+#include "shaders/include/grass_tiles.glsl"
+#include "shaders/include/grass_blades.glsl"
+#include "shaders/include/grass_patches.glsl"
+#include "shaders/include/touched_near.glsl"
+#include "shaders/include/virtual_wind.glsl"
 #include "shaders/include/plant_pose.glsl"
 #include "shaders/shared/plant_block.h"
 #include "shaders/shared/hash.h"
@@ -28,11 +33,6 @@ shared uint levelCount[PLANT_LEVELS];
 shared uint levelStart[PLANT_LEVELS];
 shared uint levelRoom[PLANT_LEVELS];
 shared uint candidates;
-
-float unit(inout uint state) {
-  state = pcgHash(state);
-  return hashToUnit(state);
-}
 
 bool inView(vec3 centre, vec3 halfSize) {
   if (culling == 0) return true;
@@ -105,6 +105,13 @@ vec2 rootOf(ivec2 cell, uint index, uint seed, PlantKind kind) {
   return (vec2(cell) + within) * kind.growth.w;
 }
 
+// The bend in this wind, with the inertia that all grass has where the project wants it. `factor` is F over its own stiffness.
+vec2 steadyBend(vec2 root, vec2 rest, vec2 felt, float factor) {
+  if (grass.size.w != GRASS_DEFORMATION_INERTIAL) return arcSteadyBend(rest, felt, factor);
+  vec2 still = arcSteadyBend(rest, vec2(0.0), 0.0);
+  return still + virtualLeans(root, still, factor).e[CHAIN_SEGMENTS - 1];
+}
+
 bool makePlant(ivec2 cell, uint index, uint seed, PlantKind kind, out PlantInstance plant, out uint level) {
   vec2 root = rootOf(cell, index, seed, kind);
   uint state = hashCombine(seed ^ 0x2545f491u, index);
@@ -136,7 +143,9 @@ bool makePlant(ivec2 cell, uint index, uint seed, PlantKind kind, out PlantInsta
   float phase = unit(state);
   float factor = kind.motion.x / (1.0 + kind.motion.y * (2.0 * unit(state) - 1.0));
   vec2 felt = rippledWind(root, smoothWind(root), kind.motion.z);
-  vec2 bend = plantPose(felt, factor, phase, kind.motion.z);
+  vec2 touched;
+  if (!touchedNear(root, touched)) return false;
+  vec2 bend = steadyBend(root, plantRest(phase), felt, factor) + plantFlutter(felt, phase, kind.motion.z) + touched;
 
   float shadow = max(solids.shadowHeight, softened(ground.shadowHeight));
   vec3 up = normalize(mix(vec3(0.0, 1.0, 0.0), groundLight(root, 0.0).normal, kind.motion.w));

@@ -27,9 +27,6 @@ uniform float swingStiffness;  // k/J, 1/s^2
 uniform float swingDamping;    // 1/s
 uniform int primitiveCount;
 
-// A blade swings a little faster or slower than the meadow's mean, so that trampled grass doesn't rise in step.
-float ownRate(uint state) { return 0.85 + 0.3 * hashToUnit(pcgHash(state ^ 0x7f4a7c15u)); }
-
 // Spring and damping of one joint over the step.
 vec4 swung(vec4 joint, float rate, float keep) {
   vec3 psi = vec3(joint.x, 0.0, joint.y) * keep;
@@ -96,14 +93,31 @@ bool anythingNear(vec3 root, float reach) {
   return false;
 }
 
+// Bends a blade out of what touches it; false: it is hidden.
+bool bentOutOfAll(BladeRoot own, inout vec4 joints[CHAIN_SEGMENTS]) {
+  vec3 root = vec3(own.root.x, groundHeight(own.root), own.root.y);
+  if (!anythingNear(root, own.height * 1.25 * max(mapHeight(own.root), 1.0))) return true;
+  float height = standingHeight(own);
+  BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
+  ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));
+  if (!touched(chain, root, groundNormal(own.root), height)) return false;
+  vec2 below = vec2(0.0);
+  for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
+    vec2 lean = chain.lean[i] - pose.leans.e[i];
+    if ((chain.bent & (1u << uint(i))) != 0u) joints[i] = vec4(lean - below, 0.0, 0.0);
+    below = lean;
+  }
+  return true;
+}
+
 void main() {
   GrassPatch tile = patches[gl_WorkGroupID.y];
   uint index = gl_GlobalInvocationID.x;
   ivec2 cell = ivec2(tile.x, tile.z);
-  uint total = bladesInTile(tileHash(cell));
+  uint hash = tileHash(cell);
+  uint total = bladesInTile(hash);
   if (index >= min(total, patchTable.stride)) return;
-  BladeRoot own = bladeRoot(cell, index, total);
-  float rate = ownRate(own.state);
+  float rate = patchRate(hash, index);
 
   vec4 joints[CHAIN_SEGMENTS];
   bool hidden = patchState[patchStateAt(tile.slot, index, 0)].x > 0.5 * PATCH_HIDDEN;
@@ -111,20 +125,8 @@ void main() {
     joints[i] = tile.keep <= 0.0 || hidden ? vec4(0.0) : swung(patchState[patchStateAt(tile.slot, index, i)], rate, tile.keep);
   }
 
-  vec3 root = vec3(own.root.x, groundHeight(own.root), own.root.y);
   hidden = false;
-  if (anythingNear(root, own.height * 1.25)) {
-    float height = standingHeight(own);
-    BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
-    ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));
-    hidden = !touched(chain, root, groundNormal(own.root), height);
-    vec2 below = vec2(0.0);
-    for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
-      vec2 lean = chain.lean[i] - pose.leans.e[i];
-      if ((chain.bent & (1u << uint(i))) != 0u) joints[i] = vec4(lean - below, 0.0, 0.0);
-      below = lean;
-    }
-  }
+  if (tile.touched != 0u) hidden = !bentOutOfAll(bladeRoot(cell, index, total), joints);
   if (hidden) joints = vec4[](vec4(PATCH_HIDDEN, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int i = 0; i < CHAIN_SEGMENTS; ++i) patchState[patchStateAt(tile.slot, index, i)] = joints[i];
 }

@@ -2,6 +2,7 @@
 // Translucency by opposite signs of N.L and N.V, and mutual shadow growing towards the base, follow
 // Belyaev, Laevsky & Chukanov 2011 (Inertial grassland); mean reflection of many blades around one
 // lean follows the cylinder model of Kajiya & Kay 1989.
+#include "shaders/shared/canopy_shade.h"
 #include "shaders/shared/grass_block.h"
 
 layout(std140, binding = RENDER_UBO_GRASS) uniform GrassUniforms { GrassBlock grass; };
@@ -97,16 +98,13 @@ vec3 contourLift(vec3 ground, vec3 v, float lit) {
   return (0.030 * frame.sunColour.rgb + 0.045 * frame.skyColour.rgb) * grass.tipColour.rgb * (edge2 * edge2 * edge2 * lit);
 }
 
-// Eq. 14 of Choi & Sung 2024: `height` of the point over its root after bending in blade lengths, `force`
-// |F|. Low and pushed-down grass darkens, between m_min and m_max.
-float heightWindShade(float height, float force) {
-  return clamp(height - force * grass.shadow.z + grass.shadow.w, grass.shadow.x, grass.shadow.y);
-}
+// Eq. 14 of Choi & Sung 2024: `height` of the point over its root after bending in blade lengths, `force` |F|.
+float heightWindShade(float height, float force) { return canopyShade(height, force, grass.shadow); }
 
-// |F| of eq. 14. Bounded for arc, so that a gale doesn't turn the meadow black.
+// |F| of eq. 14.
 float shadeForce(float speed) {
   float force = grass.motion.x * speed;
-  return grass.size.w != GRASS_DEFORMATION_QUADRATIC ? force / (1.0 + force) : force;
+  return grass.size.w != GRASS_DEFORMATION_QUADRATIC ? boundedForce(force) : force;
 }
 
 // The stem direction of grass under a wind: mean over blades.

@@ -1,11 +1,14 @@
 // How a plant that isn't a blade stands at a moment. Needs frame.glsl, noise.glsl, wind_field.glsl.
 
-// Its bend (direction times angle of the tip, rad), all but what things that touch it do. `felt` is the wind at its
-// root with its ripples, `factor` F over its own stiffness; `phase` in 0..1 is its own.
-vec2 plantPose(vec2 felt, float factor, float phase, float flutter) {
+// Its lean in still air (direction times angle of the tip, rad); `phase` in 0..1 is its own.
+vec2 plantRest(float phase) {
   float lean = 6.2831853 * phase;
-  vec2 rest = vec2(cos(lean), sin(lean)) * (0.03 + 0.16 * fract(7.31 * phase));
-  return arcSteadyBend(rest, felt, factor) + 0.6 * arcFlutter(felt, frame.viewForward.w, phase, 0.6 + 0.4 * fract(3.7 * phase), flutter);
+  return vec2(cos(lean), sin(lean)) * (0.03 + 0.16 * fract(7.31 * phase));
+}
+
+// What it moves around its steady bend by. `felt` is the wind at its root with its ripples.
+vec2 plantFlutter(vec2 felt, float phase, float flutter) {
+  return 0.6 * arcFlutter(felt, frame.viewForward.w, phase, 0.6 + 0.4 * fract(3.7 * phase), flutter);
 }
 
 struct PlantPoint {

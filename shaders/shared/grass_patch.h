@@ -15,6 +15,7 @@ struct GrassPatch {
   int z;
   uint slot;   // where its blades are remembered
   float keep;  // part of the bend that stays: 0 for a new patch, between 0 and 1 while it gives way
+  uint touched;  // 1: something may touch it now
 };
 
 /// An entry of the table from tiles to patches: open addressing by patchHash, linear probing.
@@ -33,11 +34,14 @@ struct PatchTableHead {
   uint blades;  // of all slots
 };
 
+/// How fast a blade swings over the meadow's mean: trampled grass doesn't rise in step. `tileHash` as in grass_tiles.glsl.
+WL_FUNCTION float patchRate(uint tileHash, uint index) { return 0.85f + 0.3f * hashToUnit(hashCombine(tileHash ^ 0x7f4a7c15u, index)); }
+
 WL_FUNCTION uint patchHash(int x, int z) { return hashCombine(uint(x), uint(z)); }
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::GrassPatch) == 16, "std430 layout");
+static_assert(sizeof(windloom::shared::GrassPatch) == 20, "std430 layout");
 static_assert(sizeof(windloom::shared::PatchEntry) == 16, "std430 layout");
 static_assert(sizeof(windloom::shared::PatchTableHead) == 16, "std430 layout");
 #endif

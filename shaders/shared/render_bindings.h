@@ -46,7 +46,7 @@
 #define RENDER_SSBO_PLANT_COMMANDS 2
 #define RENDER_SSBO_PLANT_KINDS 3
 #define RENDER_SSBO_VIRTUAL_BLADES 4
-// The stepping pass of the patches; table and state are read by the placing pass, too.
+// The stepping pass of the patches. The placing passes read table and state, too: nothing else in between is bound there.
 #define RENDER_SSBO_PATCHES 4
 #define RENDER_SSBO_PRIMITIVES 5
 #define RENDER_SSBO_PATCH_TABLE 6

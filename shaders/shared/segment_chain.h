@@ -157,49 +157,69 @@ WL_FUNCTION vec3 chainMeanOmega(vec3 psi, vec3 omega, vec3 push, float stiffness
   return (omega + (push - psi * stiffness) * (0.5f * dt)) / (1.0f + 0.5f * dt * damping + 0.25f * dt * dt * stiffness);
 }
 
-/// One part of a step of an upright blade in wind `wind` (m/s in the world), from the root up. `steady` are the leans
-/// that this wind ends in.
-WL_FUNCTION ChainState chainPart(ChainBlock chain, ChainState state, vec3 wind, ChainLeans steady, float dt) {
-  float stiffness = chain.spring.x;
-  float weight = stiffness * chain.spring.z;
+/// What a segment is carried by: the one below it, in the world.
+struct ChainBelow {
+  mat3 frame;
+  vec3 turning;       // angular velocity, rad/s
+  vec3 faster;        // its rate, rad/s^2
+  vec3 velocity;      // of its tip: v*, m/s
+  vec3 acceleration;  // m/s^2
+};
+
+/// What turns a segment.
+struct ChainPush {
+  vec3 push;   // angular acceleration, in the frame of the segment below
+  float loss;  // of angular velocity, 1/s: its damping, more or less by being carried
+};
+
+/// Wind and weight turn segment i; being carried brakes or drives it. `steady` are the leans that this wind ends in.
+WL_FUNCTION ChainPush chainPush(ChainBlock chain, int i, mat3 turn, vec3 omega, ChainBelow below, vec3 wind, ChainLeans steady) {
   float halfLength = chain.spring.w;
-  mat3 below = mat3(1.0f);
-  vec3 tipVelocity = vec3(0.0f);  // v*, m/s
-  vec3 tipAcceleration = vec3(0.0f);
-  vec3 turning = vec3(0.0f);  // angular velocity of the segment below, rad/s
-  vec3 turningFaster = vec3(0.0f);
+  float weight = chain.spring.x * chain.spring.z;
+  vec3 up = vec3(0.0f, 1.0f, 0.0f);
+  vec3 axis = below.frame * turn[1];
+  vec3 carried = below.velocity + cross(below.turning, axis * halfLength);
+  vec3 over = wind - carried - cross(below.frame * omega, axis * halfLength);
+  float speed = max(sqrt(dot(over, over)), 1e-3f);
+  float drag = chain.spring.x * chainForce(chain, i, speed) / speed;  // 1/s^2 for each m/s
+  vec3 steadyUp = i == 0 ? up : up * chainMatrix(chainTurn(steady.e[i - 1]));
+  ChainPush result;
+  result.push = cross(axis, wind * drag) * below.frame - cross(turn[1], steadyUp) * weight;
+  // 3/4 = m l^2 / J of a rod held at its end.
+  vec3 lagging = cross(axis, carried * drag + below.acceleration * (0.75f / halfLength)) * below.frame;
+  vec3 byBelow = lagging * -1.0f - cross(turn[1], up * below.frame - steadyUp) * weight;
+  float own = chain.spring.y + drag * halfLength;
+  float work = dot(byBelow, omega) / max(dot(omega, omega), 1e-8f);
+  result.loss = own - max(-0.5f * own, min(0.5f * own, work));
+  return result;
+}
+
+/// One part of a step of an upright blade in wind `wind` (m/s in the world), from the root up.
+WL_FUNCTION ChainState chainPart(ChainBlock chain, ChainState state, vec3 wind, ChainLeans steady, float dt) {
+  ChainBelow below;
+  below.frame = mat3(1.0f);
+  below.turning = below.faster = below.velocity = below.acceleration = vec3(0.0f);
   for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
-    vec3 omega = state.omega[i];
+    vec3 before = state.omega[i];
     mat3 turn = chainMatrix(state.psi[i]);
-    mat3 frame = below * turn;
-    vec3 axis = frame[1];
-    vec3 carried = tipVelocity + cross(turning, axis * halfLength);
-    vec3 over = wind - carried - cross(below * omega, axis * halfLength);
-    float speed = max(sqrt(dot(over, over)), 1e-3f);
-    float drag = stiffness * chainForce(chain, i, speed) / speed;  // 1/s^2 for each m/s
-    float damping = chain.spring.y + drag * halfLength;
-    // Wind and weight turn it; being carried brakes or drives it. 3/4 = m l^2 / J of a rod held at its end.
-    vec3 up = vec3(0.0f, 1.0f, 0.0f);
-    vec3 steadyUp = i == 0 ? up : up * chainMatrix(chainTurn(steady.e[i - 1]));
-    vec3 push = cross(axis, wind * drag) * below - cross(turn[1], steadyUp) * weight;
-    vec3 carriedPush = cross(axis, carried * drag + tipAcceleration * (0.75f / halfLength)) * below * -1.0f -
-                       cross(turn[1], up * below - steadyUp) * weight;
-    float work = dot(carriedPush, omega) / max(dot(omega, omega), 1e-8f);
-    float loss = damping - max(-0.5f * damping, min(0.5f * damping, work));
-    vec3 mean = chainMeanOmega(state.psi[i], omega, push, stiffness, loss, dt);
-    state.omega[i] = mean * 2.0f - omega;
-    state.psi[i] = chainVector(chainMatrix(mean * dt) * turn);
+    ChainPush pushed = chainPush(chain, i, turn, before, below, wind, steady);
+    vec3 mean = chainMeanOmega(state.psi[i], before, pushed.push, chain.spring.x, pushed.loss, dt);
+    turn = chainMatrix(mean * dt) * turn;
+    state.omega[i] = mean * 2.0f - before;
+    state.psi[i] = chainVector(turn);
     float bend = sqrt(dot(state.psi[i], state.psi[i]));
     if (bend > CHAIN_MOST_BEND) {
       vec3 outwards = state.psi[i] / bend;
       state.psi[i] = outwards * CHAIN_MOST_BEND;
       state.omega[i] = state.omega[i] - outwards * max(dot(state.omega[i], outwards), 0.0f);
+      turn = chainMatrix(state.psi[i]);
     }
-    turning = turning + below * state.omega[i];
-    turningFaster = turningFaster + below * ((state.omega[i] - omega) / dt);
-    tipVelocity = tipVelocity + cross(turning, axis * (2.0f * halfLength));
-    tipAcceleration = tipAcceleration + cross(turningFaster, axis * (2.0f * halfLength));
-    below = frame;
+    below.turning = below.turning + below.frame * state.omega[i];
+    below.faster = below.faster + below.frame * ((state.omega[i] - before) / dt);
+    below.frame = below.frame * turn;
+    vec3 whole = below.frame[1] * (2.0f * chain.spring.w);
+    below.velocity = below.velocity + cross(below.turning, whole);
+    below.acceleration = below.acceleration + cross(below.faster, whole);
   }
   return state;
 }

@@ -7,6 +7,7 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
+#include "shaders/include/grass_maps.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/virtual_wind.glsl"
 #include "shaders/include/blade_chain.glsl"
@@ -19,7 +20,7 @@ struct Seen {
   vec4 points[CHAIN_SEGMENTS];  // ends of the segments, m from the root; w patch
   vec4 low;     // leans
   vec4 high;
-  uvec4 state;  // x: of its random numbers
+  uvec4 tile;  // x: its hash
 };
 layout(std430, binding = 0) writeonly buffer Answers { Seen seen[]; };
 uniform ivec2 tile;
@@ -41,7 +42,7 @@ void main() {
     seen[index].points[i] = vec4(at, float(slot));
   }
   seen[index].root = vec4(own.root.x, groundHeight(own.root), own.root.y, drawn ? 1.0 : 0.0);
-  seen[index].state = uvec4(own.state, 0u, 0u, 0u);
+  seen[index].tile = uvec4(tileHash(tile), 0u, 0u, 0u);
   seen[index].low = vec4(leans.e[0], leans.e[1]);
   seen[index].high = vec4(leans.e[2], leans.e[3]);
 }

@@ -17,7 +17,7 @@ struct Seen {
   glm::vec4 root;
   glm::vec4 points[kSegments];
   glm::vec4 low, high;
-  glm::uvec4 state;
+  glm::uvec4 tile;
 
   [[nodiscard]] bool drawn() const { return root.w > 0.5f; }
   [[nodiscard]] int slot() const { return static_cast<int>(points[0].w); }
@@ -31,7 +31,7 @@ class GrassPatchesGpu : public testing::GrassPassTest {
  protected:
   void SetUp() override {
     GrassPassTest::SetUp();
-    m_grass.density = 150.0f;
+    m_scene->grass.density = 150.0f;
     auto patches = GrassPatches::create(shaders());
     ASSERT_TRUE(patches.ok()) << patches.error().text();
     m_patches.emplace(std::move(*patches));
@@ -39,7 +39,7 @@ class GrassPatchesGpu : public testing::GrassPassTest {
     ASSERT_TRUE(blades.ok()) << blades.error().text();
     m_blades.emplace(std::move(*blades));
     m_answers = testing::taken(gpu::Buffer::create("test answers", sizeof(Seen) * 4096, gpu::BufferUse::Static));
-    blow({3.0f, 1.0f});
+    m_scene->blow({3.0f, 1.0f});
   }
   void TearDown() override {
     m_patches.reset();
@@ -49,24 +49,25 @@ class GrassPatchesGpu : public testing::GrassPassTest {
   }
 
   void configure() {
-    Status status = m_patches->configure(m_grass, layout(), m_grass.height * (1.0f + m_grass.heightVariation));
+    Status status = m_patches->configure(m_scene->grass, m_scene->layout(),
+                                         m_scene->grass.height * (1.0f + m_scene->grass.heightVariation));
     ASSERT_TRUE(status.ok()) << status.error().text();
-    status = m_blades->configure(m_grass, m_fieldSettings.resolution);
+    status = m_blades->configure(m_scene->grass, m_scene->field.resolution);
     ASSERT_TRUE(status.ok()) << status.error().text();
   }
 
   void step(const std::vector<ColliderPrimitive>& primitives, DynamicsStep step = {kDt, false}) {
     m_time += static_cast<double>(step.seconds);
-    bindFrame(m_time);
+    m_scene->bindFrame(m_time);
     m_blades->step(step);
     m_blades->bind();
-    m_patches->step(step, primitives, m_heights.get());
+    m_patches->step(step, primitives, m_scene->heights.get());
   }
 
   std::vector<Seen> blades(glm::ivec2 tile) {
-    const GrassLayout tiles = layout();
+    const GrassLayout tiles = m_scene->layout();
     gpu::Program& program = testProgram("patch_leans.comp");
-    bindFrame(m_time);
+    m_scene->bindFrame(m_time);
     m_blades->bind();
     m_patches->bind();
     m_answers.bindStorage(0);
@@ -85,7 +86,9 @@ class GrassPatchesGpu : public testing::GrassPassTest {
     }
     return all;
   }
-  [[nodiscard]] glm::ivec2 tileOf(glm::vec2 place) const { return glm::ivec2(glm::floor(place / layout().tileSideM)); }
+  [[nodiscard]] glm::ivec2 tileOf(glm::vec2 place) const {
+    return glm::ivec2(glm::floor(place / m_scene->layout().tileSideM));
+  }
 
   std::optional<GrassPatches> m_patches;
   std::optional<VirtualBlades> m_blades;
@@ -124,8 +127,8 @@ float leastDistance(const Seen& blade, const std::vector<ColliderPrimitive>& pri
 TEST_F(GrassPatchesGpu, NoBladeStaysInsideOfWhatMovesThroughIt) {
   for (const Deformation deformation : {Deformation::Arc, Deformation::Quadratic, Deformation::Inertial}) {
     for (const float rise : {0.0f, 0.3f}) {
-      m_grass.deformation = deformation;
-      setSlope(rise);
+      m_scene->grass.deformation = deformation;
+      m_scene->setSlope(rise);
       configure();
       step({}, {0.0f, true});
       int bent = 0, hidden = 0;
@@ -141,7 +144,7 @@ TEST_F(GrassPatchesGpu, NoBladeStaysInsideOfWhatMovesThroughIt) {
             ++hidden;
             continue;
           }
-          const float away = leastDistance(blade, primitives, rise, m_grass.slopeAlign);
+          const float away = leastDistance(blade, primitives, rise, m_scene->grass.slopeAlign);
           ASSERT_GT(away, 0.001f) << "step " << n << " root " << blade.root.x << ", " << blade.root.z;
           bent += glm::length(blade.lean(3)) > 0.1f ? 1 : 0;
         }
@@ -201,9 +204,9 @@ TEST_F(GrassPatchesGpu, BladesRiseAsDampedSwingsAndOvershoot) {
   for (const glm::vec4& joint : joints) EXPECT_TRUE(joint.z == 0.0f && joint.w == 0.0f) << "what was bent stands still";
 
   // Each joint by the chain's own rule on the processor.
-  const float rate = 0.85f + 0.3f * shared::hashToUnit(shared::pcgHash(pressed[chosen].state.x ^ 0x7f4a7c15u));
-  const float omega0 = 2.0f * 3.14159265f * m_grass.swingRate * rate;
-  const float damping = 2.0f * m_grass.swingDamping * omega0;
+  const float rate = shared::patchRate(pressed[chosen].tile.x, static_cast<std::uint32_t>(chosen));
+  const float omega0 = 2.0f * 3.14159265f * m_scene->grass.swingRate * rate;
+  const float damping = 2.0f * m_scene->grass.swingDamping * omega0;
   const int parts = shared::chainParts(kDt, omega0 * omega0);
   float across = 1.0f;  // least of the lean along the first one
   for (int n = 0; n < 60; ++n) {
@@ -228,7 +231,7 @@ TEST_F(GrassPatchesGpu, BladesRiseAsDampedSwingsAndOvershoot) {
 }
 
 TEST_F(GrassPatchesGpu, SettledPatchesReturnToBlocksUnseen) {
-  m_grass.swingDamping = 0.6f;
+  m_scene->grass.swingDamping = 0.6f;
   configure();
   step({}, {0.0f, true});
   for (int n = 0; n < 10; ++n) step({ball({0.4f, 0.4f, 0.4f}, 0.4f)});
@@ -245,7 +248,7 @@ TEST_F(GrassPatchesGpu, SettledPatchesReturnToBlocksUnseen) {
     step({});
   }
   EXPECT_LT(steps, 1000);
-  EXPECT_LT(last * m_grass.height, 0.0015f) << "m that any tip moves by as the patch becomes a block";
+  EXPECT_LT(last * m_scene->grass.height, 0.0015f) << "m that any tip moves by as the patch becomes a block";
 }
 
 TEST_F(GrassPatchesGpu, AJumpInTimeLetsAllBladesUp) {
@@ -272,7 +275,7 @@ TEST_F(GrassPatchesGpu, BendsWhilePausedToo) {
 }
 
 TEST_F(GrassPatchesGpu, NothingIsRememberedWhereNothingMay) {
-  m_grass.interacting = 0;
+  m_scene->grass.interacting = 0;
   configure();
   step({}, {0.0f, true});
   step({ball({0.4f, 0.4f, 0.4f}, 0.4f)});

@@ -28,11 +28,11 @@ class VirtualBladesGpu : public testing::GrassPassTest {
   }
 
   void configure(int most = 512) {
-    const Status status = m_blades->configure(m_grass, m_fieldSettings.resolution, most);
+    const Status status = m_blades->configure(m_scene->grass, m_scene->field.resolution, most);
     ASSERT_TRUE(status.ok()) << status.error().text();
   }
   void step(float seconds, bool jumped = false) {
-    bindFrame(0.0);
+    m_scene->bindFrame(0.0);
     m_blades->step({seconds, jumped});
   }
 
@@ -53,7 +53,7 @@ class VirtualBladesGpu : public testing::GrassPassTest {
   std::vector<ChainLeans> drawnAt(const std::vector<glm::vec4>& queries, float factor) {
     m_queries.write(std::span<const glm::vec4>(queries));
     gpu::Program& program = testProgram("virtual_leans.comp");
-    bindFrame(0.0);
+    m_scene->bindFrame(0.0);
     m_blades->bind();
     m_queries.bindStorage(0);
     m_answers.bindStorage(1);
@@ -86,13 +86,13 @@ glm::vec2 windAt(int x, int z, int n) {
 
 TEST_F(VirtualBladesGpu, SwingAsTheChainOfTheProcessor) {
   configure();
-  blow([](int x, int z) { return windAt(x, z, 0); });
+  m_scene->blow([](int x, int z) { return windAt(x, z, 0); });
   step(0.0f, true);
   std::vector<ChainState> states;
   for (int i = 0; i < 64; ++i) states.push_back(shared::chainSteadyState(m_blades->chain(), windAt(i % 8, i / 8, 0)));
   for (int n = 0; n < 90; ++n) {
     const float dt = n == 55 ? 0.1f : kDt;
-    blow([&](int x, int z) { return windAt(x, z, n); });
+    m_scene->blow([&](int x, int z) { return windAt(x, z, n); });
     step(dt);
     for (int i = 0; i < 64; ++i) {
       auto& state = states[static_cast<std::size_t>(i)];
@@ -109,12 +109,12 @@ TEST_F(VirtualBladesGpu, SwingAsTheChainOfTheProcessor) {
 
 TEST_F(VirtualBladesGpu, BeginAtRestInThePresentWindAndAfterJumps) {
   configure();
-  blow({9.0f, 2.0f});
+  m_scene->blow({9.0f, 2.0f});
   step(kDt);  // nothing yet to go on from
   const ChainLeans calm =
       shared::chainMoments(m_blades->chain(), shared::chainSteadyLeans(m_blades->chain(), {9.0f, 2.0f}));
   for (const ChainLeans& found : moments()) ASSERT_LT(difference(found, calm), 1e-3f);
-  blow({-4.0f, 0.0f});
+  m_scene->blow({-4.0f, 0.0f});
   step(0.0f, true);
   const ChainLeans other =
       shared::chainMoments(m_blades->chain(), shared::chainSteadyLeans(m_blades->chain(), {-4.0f, 0.0f}));
@@ -123,9 +123,9 @@ TEST_F(VirtualBladesGpu, BeginAtRestInThePresentWindAndAfterJumps) {
 
 TEST_F(VirtualBladesGpu, StandStillWhileTimeDoes) {
   configure();
-  blow({2.0f, 0.0f});
+  m_scene->blow({2.0f, 0.0f});
   step(0.0f, true);
-  blow({9.0f, 0.0f});
+  m_scene->blow({9.0f, 0.0f});
   for (int n = 0; n < 10; ++n) step(kDt);
   const auto before = moments();
   step(0.0f);
@@ -135,9 +135,9 @@ TEST_F(VirtualBladesGpu, StandStillWhileTimeDoes) {
 
 TEST_F(VirtualBladesGpu, DrawnBladesOvershootAndSettleAfterAGust) {
   configure();
-  blow({0.5f, 0.0f});
+  m_scene->blow({0.5f, 0.0f});
   step(0.0f, true);
-  blow({6.0f, 0.0f});
+  m_scene->blow({6.0f, 0.0f});
   float peak = 0.0f, last = 0.0f;
   for (int n = 0; n < 240; ++n) {
     step(kDt);
@@ -154,9 +154,9 @@ TEST_F(VirtualBladesGpu, DrawnBladesOvershootAndSettleAfterAGust) {
 }
 
 TEST_F(VirtualBladesGpu, DrawnBladesReadBetweenTexelsAndFeelTheAmbientWindOutside) {
-  m_ambient.speed = 5.0f;
+  m_scene->ambient.speed = 5.0f;
   configure();
-  blow([](int x, int) { return glm::vec2(2.0f * static_cast<float>(x), 1.0f); });
+  m_scene->blow([](int x, int) { return glm::vec2(2.0f * static_cast<float>(x), 1.0f); });
   step(0.0f, true);
   const auto texels = moments();
   // Centres of cells lie at -7, -5 .. 7 m.
@@ -186,7 +186,7 @@ TEST_F(VirtualBladesGpu, TheGridIsAWholePartOfTheWinds) {
   EXPECT_EQ(virtualGrid({4096, 4096}, 512), glm::ivec2(512, 512));
   configure(4);
   EXPECT_EQ(m_blades->grid(), glm::ivec2(4, 4));
-  blow([](int x, int) { return glm::vec2(x % 2 == 0 ? 2.0f : 6.0f, 0.0f); });
+  m_scene->blow([](int x, int) { return glm::vec2(x % 2 == 0 ? 2.0f : 6.0f, 0.0f); });
   step(0.0f, true);
   const ChainLeans mean =
       shared::chainMoments(m_blades->chain(), shared::chainSteadyLeans(m_blades->chain(), {4.0f, 0.0f}));

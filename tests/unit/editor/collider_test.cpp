@@ -150,6 +150,28 @@ TEST(Colliders, AMeshPointsAlongItsRotationWithItsFront) {
   EXPECT_TRUE(isInside(shoe, {0.0f, 1.1f}));
 }
 
+TEST(Colliders, MovingOnesAreTakenHoldOfWhereTheyAre) {
+  Bench b;
+  const Id ball = addBall(b, {0, 0}, 1.5f);
+  Collider moving = collider(b, ball);
+  moving.keys = {{0, {0, 0, 0}}, {2, {20, 0, 10}}};
+  moving.loop = false;
+  b.w.apply(Edit{"Way", {Put<Collider>{moving}}, {}});
+  b.w.windSeconds = 2.0;
+  b.click({0, 0});
+  EXPECT_TRUE(b.w.selection.empty()) << "it has gone";
+  b.click({20, 10});
+  ASSERT_EQ(b.w.selection.active(), ball);
+  b.drag({21.5f, 10}, {22.5f, 10});
+  EXPECT_NEAR(collider(b, ball).radius, 2.5f, 0.01f) << "the handle goes along";
+  b.drag({20, 10}, {15, 5});
+  expectNear(collider(b, ball).position, {-5, -5}, 0.01f);
+  EXPECT_EQ(collider(b, ball).keys, moving.keys) << "the way moves as a whole";
+  b.click({40, 40});
+  b.drag({12, 2}, {17, 7});
+  EXPECT_EQ(b.w.selection.active(), ball) << "box select";
+}
+
 TEST(Colliders, FFramesTheWholeWay) {
   Bench b;
   const Id ball = addBall(b, {30, 20});

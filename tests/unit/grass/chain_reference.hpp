@@ -72,8 +72,7 @@ struct PlainChain {
     dmat3 below(1.0);
     dvec3 tipVelocity(0.0), tipAcceleration(0.0), turning(0.0), turningFaster(0.0);
     for (std::size_t i = 0; i < kSegments; ++i) {
-      const dmat3 frame = below * turns[i];
-      const dvec3 centre = frame * dvec3(0.0, halfLength, 0.0);
+      dvec3 centre = below * turns[i] * dvec3(0.0, halfLength, 0.0);
       const dvec3 carried = tipVelocity + glm::cross(turning, centre);
       const dvec3 velocity = carried + glm::cross(below * omegas[i], centre);
       const double speed = std::max(glm::length(wind - velocity), 1e-3);
@@ -92,11 +91,12 @@ struct PlainChain {
       const dvec3 faster = push - stiffness * turnVector(turns[i]) - loss * omegas[i];
       omegas[i] += faster * dt;
       turns[i] = turnMatrix(omegas[i] * dt) * turns[i];
+      centre = below * turns[i] * dvec3(0.0, halfLength, 0.0);
       turning += below * omegas[i];
       turningFaster += below * faster;
       tipVelocity += glm::cross(turning, 2.0 * centre);
       tipAcceleration += glm::cross(turningFaster, 2.0 * centre);
-      below = frame;
+      below = below * turns[i];
     }
   }
 

@@ -32,7 +32,7 @@ std::optional<GrassPatch> find(const PatchCells& cells, int x, int z) {
 GrassPatch patchAt(const PatchCells& cells, int x, int z) {
   const auto found = find(cells, x, z);
   EXPECT_TRUE(found.has_value()) << x << ", " << z;
-  return found.value_or(GrassPatch{0, 0, 99'999, -1.0f});
+  return found.value_or(GrassPatch{0, 0, 99'999, -1.0f, 0});
 }
 
 void stepWith(PatchCells& cells, const std::vector<ColliderPrimitive>& primitives, int steps = 1) {
@@ -85,7 +85,9 @@ TEST(PatchCells, ReturnsToABlockOnceSettled) {
   PatchCells cells;
   cells.configure(limits(10'000, 2.0f));
   stepWith(cells, {ballAt(1.0f, 1.0f)});
+  EXPECT_EQ(patchAt(cells, 0, 0).touched, 1u);
   stepWith(cells, {}, 115);
+  EXPECT_EQ(patchAt(cells, 0, 0).touched, 0u);
   EXPECT_TRUE(find(cells, 0, 0).has_value()) << "after 1.9 s it still swings";
   stepWith(cells, {}, 10);
   EXPECT_TRUE(cells.patches().empty()) << "after 2.1 s it does not";
@@ -200,7 +202,7 @@ TEST(PatchCells, ClearingAndOtherTilesDropAllPatches) {
 
 TEST(PatchTable, FindsEveryPatchAndNoOther) {
   std::vector<GrassPatch> patches;
-  for (int n = 0; n < 300; ++n) patches.push_back({n % 20 - 10, n / 20 - 7, static_cast<std::uint32_t>(n), 1.0f});
+  for (int n = 0; n < 300; ++n) patches.push_back({n % 20 - 10, n / 20 - 7, static_cast<std::uint32_t>(n), 1.0f, 0});
   const auto table = patchTable(patches);
   const std::size_t mask = table.size() - 1;
   ASSERT_EQ(table.size() & mask, 0u);
