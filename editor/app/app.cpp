@@ -302,7 +302,7 @@ void App::frame() {
   openDropped();
   const ImGuiIO& io = ImGui::GetIO();
   m_workspace.tick(seconds, {.ctrl = io.KeyCtrl, .shift = io.KeyShift, .alt = io.KeyAlt});
-  if (const Session* session = m_live->session()) m_workspace.windSeconds = session->time();
+  followWind();
   drawInterface();
   runAfterFields();
   m_window->endFrame();
@@ -315,6 +315,17 @@ void App::frame() {
   tellMap();
   m_look.map.endFrame();
   ++m_frames;
+}
+
+/// The picture behind what the interface draws is made after it and shows a later time: about as much later as the last
+/// one did.
+void App::followWind() {
+  const Session* session = m_live->session();
+  if (!session) return;
+  constexpr double kMostS = 0.25;
+  const double now = session->time(), before = std::exchange(m_windBefore, now);
+  const bool runs = session->playing() && !session->seeking();
+  m_workspace.windSeconds = now + (runs ? std::clamp(now - before, 0.0, kMostS) : 0.0);
 }
 
 void App::drawPicture(double seconds) {

@@ -61,6 +61,7 @@ class App {
   void drawAreas(PanelContext& context);
   void drawBottom(PanelContext& context, ImVec2 min, ImVec2 max);
   void drawAbout();
+  void followWind();
   void drawPicture(double seconds);
   void finishScreenshot();
   void tellStart(const char* what) const;
@@ -96,6 +97,7 @@ class App {
   Clock::time_point m_lastFrame = Clock::now();
   KeyPress m_afterFields;    // a shortcut that waits for a field to take its text
   double m_idleSeconds = 0;  // since something last happened
+  double m_windBefore = 0;   // time of the wind a frame ago
   int m_frames = 0;
   std::string m_title;
   std::optional<int> m_exit;

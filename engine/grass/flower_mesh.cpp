@@ -227,7 +227,7 @@ void addCupPetal(Builder& b, const Plant& plant, const Head& head, int index) {
       const glm::vec3 normal = head.face * (1.1f - 0.8f * t) - head.out(turn + 0.3f * ruffle) * (0.2f + 0.7f * t);
       // A dark blotch inside, deeper red low, silky light at the rim and along the folds.
       const float fold = 1.0f + 0.12f * std::sin(43.0f * turn + own) * t;
-      const glm::vec3 colour = row == 0 ? kBlotch : plant.petal * (0.25f + 0.85f * std::pow(t, 0.8f)) * fold;
+      const glm::vec3 colour = row == 0 ? kBlotch : plant.petal * (0.16f + 1.0f * std::pow(t, 0.9f)) * fold;
       grid[row][column] = b.vertex(head.at(turn, radius, rise), normal, {colour, row == 0 ? 0.2f : 1.0f, t});
     }
   }
@@ -310,15 +310,20 @@ FlowerMesh makeSpike(const Plant& plant) {
   made.near = near.finish();
 
   Builder far;
-  addFlatStem(far, plant, 0.6f);
-  for (const float turn : {0.0f, 0.25f}) {
+  addFlatStem(far, plant, 0.97f);
+  // As much petal as near, with as much meadow seen between it.
+  constexpr int kTufts = 8;
+  for (int i = 0; i < kTufts; ++i) {
+    const float t = (static_cast<float>(i) + 0.5f) / kTufts, turn = 0.13f + kGoldenTurn * static_cast<float>(i);
     const glm::vec3 side = around(turn), out = around(turn + 0.25f) + glm::vec3(0, 0.4f, 0);
-    const glm::vec3 low = Plant::spine(kFoot - 0.02f), mid = Plant::spine(kFoot + 0.1f), top = Plant::spine(1.0f);
-    const Skin deep{plant.petal * 0.75f, 1, 0.2f}, light{glm::mix(plant.petal, glm::vec3(0.9f), 0.07f), 1, 0.4f};
-    const float r = 0.85f * spikeRadius(0.15f);
-    const std::uint32_t a = far.vertex(low, out, deep), l = far.vertex(mid - side * r, out, light),
-                        e = far.vertex(mid + side * r, out, light), d = far.vertex(top, out, deep);
-    far.quad(a, e, d, l);
+    const glm::vec3 middle = Plant::spine(glm::mix(kFoot, 1.0f, t));
+    const float r = 1.3f * spikeRadius(t), high = 0.038f;
+    const Skin deep{plant.petal * 0.8f, 1, 0.2f}, light{glm::mix(plant.petal, glm::vec3(0.9f), 0.12f), 1, 0.5f};
+    const std::uint32_t low = far.vertex(middle - glm::vec3(0, high, 0), out, deep),
+                        left = far.vertex(middle - side * r, out, light),
+                        right = far.vertex(middle + side * r, out, light),
+                        top = far.vertex(middle + glm::vec3(0, high, 0), out, deep);
+    far.quad(low, right, top, left);
   }
   made.far = far.finish();
   return made;

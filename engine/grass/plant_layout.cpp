@@ -17,7 +17,7 @@ constexpr float kPatchMean = 0.4f;
 constexpr float kLeastPixels = 1.5f, kMostWidening = 2.6f;
 constexpr float kGonePixels = 1.6f;
 // A mesh is drawn in full from this many pixels on; one of many triangles from more.
-constexpr float kNearPixels = 70.0f, kMostNearPixels = 600.0f;
+constexpr float kNearPixels = 85.0f, kMostNearPixels = 600.0f;
 constexpr glm::uvec2 kMostRoom{60'000u, 500'000u};
 
 float shareOf(const std::vector<Species>& species) {
@@ -87,8 +87,7 @@ PlantKind makePlantKind(const GrassSettings& grass, const std::vector<Species>& 
   kind.levels = {std::clamp(5.0f * std::sqrt(triangles), kNearPixels, kMostNearPixels), kLeastPixels, kGonePixels,
                  kMostWidening};
   // A built-in flower has its colours in its mesh.
-  kind.tint = glm::vec4(builtIn ? glm::vec3(1.0f) : one.tipColour, mesh.textured ? 1.0f : 0.0f);
-  kind.kind = {builtIn ? 1.0f : 0.0f, mesh.alphaCutoff, 0.0f, 0.0f};
+  kind.tint = glm::vec4(builtIn ? glm::vec3(1.0f) : one.tipColour, builtIn ? 1.0f : 0.0f);
   kind.seed = shared::hashCombine(static_cast<std::uint32_t>(one.id), static_cast<std::uint32_t>(grass.seed));
   return kind;
 }

@@ -43,7 +43,6 @@ PlantCells cellsInReach(const PlantKind& kind, const FieldSettings& field, const
 struct PlantMeshSummary {
   glm::vec3 low{0.0f}, high{0.0f};  ///< bounds
   std::size_t triangles = 0;
-  bool textured = false;
   float alphaCutoff = 0.5f;
 };
 

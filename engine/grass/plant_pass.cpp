@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <cstring>
 
 #include "engine/gpu/debug_group.hpp"
 #include "engine/grass/flower_mesh.hpp"
@@ -33,7 +32,7 @@ bool sameMesh(const Species& a, const Species& b) {
 }
 
 PlantMeshSummary summaryOf(const PlantMesh& mesh) {
-  return {mesh.low, mesh.high, mesh.indices.size() / 3, mesh.textureSize.x > 0, mesh.alphaCutoff};
+  return {mesh.low, mesh.high, mesh.indices.size() / 3, mesh.alphaCutoff};
 }
 
 /// A card's upper edge must not meet the lower one of a picture that isn't repeated.
@@ -61,14 +60,11 @@ Result<PlantPass> PlantPass::create(gpu::ShaderLibrary& shaders) {
   Result<gpu::Buffer> blocks =
       gpu::Buffer::create("plant kinds", PLANT_KINDS * sizeof(PlantKind), gpu::BufferUse::Dynamic);
   if (!blocks) return blocks.error();
-  Result<gpu::ReadbackRing> counts = gpu::ReadbackRing::create("plant counts", kCommandBytes);
-  if (!counts) return counts.error();
   pass.m_place = *place;
   pass.m_plain = *plain;
   pass.m_textured = *textured;
   pass.m_commands = std::move(*commands);
   pass.m_blocks = std::move(*blocks);
-  pass.m_counts = std::move(*counts);
   return pass;
 }
 
@@ -235,20 +231,6 @@ void PlantPass::draw(const gpu::PassState& state) {
     glMultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), PLANT_LEVELS, 0);
   }
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-  m_counts.request(m_commands, 0, m_kinds.size() * PLANT_LEVELS * sizeof(PlantCommand), 0);
-}
-
-long long PlantPass::plantsDrawn() {
-  if (m_kinds.empty()) return 0;
-  if (const auto arrived = m_counts.poll()) {
-    m_plantsDrawn = 0;
-    for (std::size_t at = 0; at + sizeof(PlantCommand) <= arrived->bytes.size(); at += sizeof(PlantCommand)) {
-      PlantCommand command{};
-      std::memcpy(&command, arrived->bytes.data() + at, sizeof command);
-      m_plantsDrawn += command.instances;
-    }
-  }
-  return m_plantsDrawn;
 }
 
 std::vector<PlantInstance> PlantPass::placed(std::size_t species) const {

@@ -2,13 +2,11 @@
 // Species of the meadow other than blades: built-in flowers and meshes. place_plants.comp makes them cell by cell,
 // indirect draws draw them, a mesh near and a smaller one far. Nothing about a plant is kept or crosses the bus.
 
-#include <string>
 #include <vector>
 
 #include "engine/core/result.hpp"
 #include "engine/gpu/buffer.hpp"
 #include "engine/gpu/pass_state.hpp"
-#include "engine/gpu/readback.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
 #include "engine/gpu/vertex_array.hpp"
@@ -30,9 +28,6 @@ class PlantPass {
 
   /// Draws into the target of `state`; its coverage is set here.
   void draw(const gpu::PassState& state);
-
-  /// Plants drawn in a recent finished frame.
-  long long plantsDrawn();
 
   /// The plants of a species (its place in the list of configure()) that prepare() placed; waits for the GPU: for
   /// tests.
@@ -61,10 +56,8 @@ class PlantPass {
   gpu::Program* m_plain = nullptr;
   gpu::Program* m_textured = nullptr;
   gpu::Buffer m_plants, m_commands, m_blocks;
-  gpu::ReadbackRing m_counts;
   std::vector<Kind> m_kinds;
   FieldSettings m_field;
-  long long m_plantsDrawn = 0;
 };
 
 }  // namespace windloom

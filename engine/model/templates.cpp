@@ -69,6 +69,14 @@ class Composer {
     added.rotation = rotation;
   }
 
+  Species& species(PlantShape shape, std::string name) {
+    Species& added = m_species.emplace_back();
+    added.id = 600 + static_cast<Id>(m_species.size());
+    added.name = std::move(name);
+    added.shape = shape;
+    return added;
+  }
+
   void probe(glm::vec2 position, std::string name) {
     Probe& added = m_probes.emplace_back();
     added.id = 400 + static_cast<Id>(m_probes.size());
@@ -96,6 +104,7 @@ class Composer {
     m_project.grass = std::make_shared<GrassSettings>(grass);
     m_project.graph = std::make_shared<WindGraph>(std::move(m_graph));
     m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::move(m_obstacles));
+    m_project.species = std::make_shared<std::vector<Species>>(std::move(m_species));
     m_project.probes = std::make_shared<std::vector<Probe>>(std::move(m_probes));
     m_project.cameras = std::make_shared<std::vector<Camera>>(std::move(m_cameras));
     return std::move(m_project);
@@ -113,6 +122,7 @@ class Composer {
   Project m_project;
   WindGraph m_graph;
   std::vector<Obstacle> m_obstacles;
+  std::vector<Species> m_species;
   std::vector<Probe> m_probes;
   std::vector<Camera> m_cameras;
   Id m_lastPoint = 0;
@@ -127,6 +137,39 @@ AmbientWind ambientWind(float speed, float direction, float gustStrength, float 
   wind.gustSize = gustSize;
   wind.gustSpeed = gustSpeed;
   return wind;
+}
+
+/// Some among the meadow's own blades, in patches.
+void growFlowers(Composer& make) {
+  Species& seedHeads = make.species(PlantShape::Blade, "seed heads");
+  seedHeads.weight = 0.1f;
+  seedHeads.patchiness = 0.75f;
+  seedHeads.patchSize = 14;
+  seedHeads.height = 0.82f;
+  seedHeads.heightVariation = 0.25f;
+  seedHeads.width = 0.014f;
+  seedHeads.stiffness = 0.8f;
+  seedHeads.baseColour = {0.05f, 0.085f, 0.02f};
+  seedHeads.tipColour = {0.46f, 0.4f, 0.17f};
+  Species& daisies = make.species(PlantShape::Daisy, "daisies");
+  daisies.weight = 0.03f;
+  daisies.patchiness = 0.85f;
+  daisies.patchSize = 6;
+  daisies.height = 0.58f;
+  daisies.heightVariation = 0.25f;
+  daisies.width = 0.006f;
+  daisies.stiffness = 1.2f;
+  daisies.baseColour = {0.04f, 0.085f, 0.016f};
+  daisies.tipColour = {0.86f, 0.86f, 0.82f};
+  Species& poppies = make.species(PlantShape::Poppy, "poppies");
+  poppies.weight = 0.012f;
+  poppies.patchiness = 0.9f;
+  poppies.patchSize = 10;
+  poppies.height = 0.66f;
+  poppies.heightVariation = 0.2f;
+  poppies.width = 0.006f;
+  poppies.baseColour = {0.045f, 0.085f, 0.02f};
+  poppies.tipColour = {0.5f, 0.02f, 0.01f};
 }
 
 Project makeMeadow() {
@@ -154,6 +197,7 @@ Project makeMeadow() {
   pulse.on = 3.2f;
   pulse.attack = 0.5f;
   pulse.release = 1.6f;
+  growFlowers(make);
   make.probe({-11, 11}, "fork");
   make.probe({-24, -35}, "far left");
   make.probe({39, -24}, "far right");

@@ -29,7 +29,7 @@ layout(std430, binding = RENDER_SSBO_CHAINS) writeonly buffer Chains { uvec4 cha
 shared uint drawnLanes[GRASS_CHUNKS_A_GROUP];  // bit by lane of the chunk
 
 const float kFootLit = 0.2, kTipLit = 0.7;  // along a blade: stand for its foot and tip
-const float kMeanLit = 0.44;                  // and what lies between them for all of it
+const float kMeanLit = 0.44, kMeanCalm = 0.1;  // and what lies between them for all of it; less where it stands upright
 
 // The colour of a blade that is too small on screen to be lit at every vertex: lit at two places.
 void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float hidden, vec3 root, BladePose pose, vec2 facing) {
@@ -53,7 +53,8 @@ void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float h
     colours[i] = toPicture(throughAir(light, root));
   }
   // What is left of dark feet and light tips where many blades share a pixel.
-  vec3 mean = mix(colours[0], colours[1], kMeanLit);
+  float calm = 1.0 - smoothstep(0.0, 0.5, length(pose.bend + pose.leans.e[CHAIN_SEGMENTS - 1]));
+  vec3 mean = mix(colours[0], colours[1], kMeanLit - kMeanCalm * calm);
   float contrast = mix(0.25, 1.0, single);
   blade.foot = packUnorm4x8(vec4(mix(mean, colours[0], contrast), 0.5 * look.share));
   blade.tip = packUnorm4x8(vec4(mix(mean, colours[1], contrast), hidden));

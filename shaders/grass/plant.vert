@@ -7,6 +7,7 @@
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/tone_map.glsl"
 #include "shaders/include/grass_maps.glsl"
+#include "shaders/include/colliders.glsl"
 #include "shaders/include/plant_pose.glsl"
 #include "shaders/shared/plant_block.h"
 
@@ -39,21 +40,21 @@ vec3 tilted(vec3 at, vec3 up) {
 }
 
 // Leaves and petals are thin: light on their far side shines through, in their own colour.
-vec3 thinLight(vec3 n, vec3 v, float petal, float sun, float canopy) {
+vec3 thinLight(vec3 n, vec3 v, float petal, float sun, float sky, float canopy) {
   vec3 l = frame.sunDirection.xyz;
   float nl = dot(n, l);
   vec3 through = mix(vec3(1.05, 0.95, 0.36), vec3(0.80, 0.74, 0.68), petal);
   float forward = pow(max(dot(v, -l), 0.0), 4.0);
   float wrap = mix(0.12, 0.28, petal);
   vec3 direct = vec3(max((nl + wrap) / (1.0 + wrap), 0.0)) + through * max(-nl, 0.0) * (0.6 + 0.7 * forward);
-  vec3 sky = frame.skyColour.rgb * skyInCanopy(canopy) * (0.75 + 0.25 * n.y);
+  vec3 open = frame.skyColour.rgb * sky * skyInCanopy(canopy) * (0.75 + 0.25 * n.y);
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.08 * (1.0 - 0.5 * n.y);
-  return frame.sunColour.rgb * sun * direct + sky + bounce;
+  return frame.sunColour.rgb * sun * direct + open + bounce;
 }
 
 void main() {
   PlantKind kind = kinds[species];
-  bool flower = kind.kind.x > 0.5;
+  bool flower = kind.tint.w > 0.5;
   float petal = flower ? meshUv.x : 0.0;
   vec2 size = unpackHalf2x16(sizes);
   vec2 turn = unpackSnorm2x16(stance.y);
@@ -87,11 +88,12 @@ void main() {
 
   float canopy = clamp(point.position.y / max(canopySlope.x, 0.05), 0.0, 1.0);
   float sunlit = smoothstep(-0.15, 0.15, point.position.y - shade.x);
-  float sun = sunInCanopy(canopy, grass.levels.z) * sunlit;
+  vec2 shaded = colliderLight(world);
+  float sun = sunInCanopy(canopy, grass.levels.z) * sunlit * shaded.x;
   float low = heightWindShade(point.position.y / max(canopySlope.x, 0.05), shade.y) * mix(tint.b, 1.0, 0.5 * canopy);
-  vec3 light = thinLight(n, v, petal, sun, canopy) * mix(low, 1.0, petal) * canopySlope.y;
+  vec3 light = thinLight(n, v, petal, sun, shaded.y, canopy) * mix(low, 1.0, petal) * canopySlope.y;
   vec3 h = normalize(v + frame.sunDirection.xyz);
-  vec3 gloss = frame.sunColour.rgb * (mix(0.018, 0.006, petal) * pow(max(dot(n, h), 0.0), 12.0) * sun);
+  vec3 gloss = frame.sunColour.rgb * (mix(0.018, 0.03, petal) * pow(max(dot(n, h), 0.0), 12.0) * sun);
 
   float hue = 2.0 * tint.g - 1.0;
   vec3 vary = vec3(1.0) + hue * mix(vec3(0.14, 0.03, -0.12), vec3(0.05, -0.02, -0.05), petal);

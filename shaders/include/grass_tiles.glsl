@@ -36,7 +36,7 @@ float beyondField(vec2 world) {
 // Less than the paper's 1: measured in the picture benchmark.
 const float kContourLift = 0.05;
 // Fitted to pictures of every blade, at 100 and 700 blades per square metre (bench picture).
-const float kSeenDepth = 2.95, kSeenPower = 0.4;
+const float kSeenDepth = 2.3, kSeenCover = 0.477, kSeenSlant = 0.75;
 
 // Part of the blades that is drawn where a metre covers so many pixels; may be over 1: all, with room to spare. `facing` of
 // contourGain.
@@ -62,7 +62,9 @@ float hiddenPart(float facing) {
 }
 
 // How far down the canopy is seen from its top, in heights, under an angle of sine `up`.
-float seenDepth(float up) { return clamp(kSeenDepth * max(up, 0.0) / pow(max(grass.levels.w, 1e-3), kSeenPower), 0.05, 1.0); }
+float seenDepth(float up) {
+  return clamp(kSeenDepth * pow(max(up, 1e-4), kSeenSlant) / pow(max(grass.levels.w, 1e-3), kSeenCover), 0.05, 1.0);
+}
 
 bool insideFrustum(vec3 centre, vec3 halfSize) {
   if (grass.boundsRange.w < 0.5) return true;

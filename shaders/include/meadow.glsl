@@ -140,6 +140,9 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, vec3 ground, float sunlit) {
   float height = mix(0.86, 0.52, sqrt(max(v.y, 0.0)));
   GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
   vec3 albedo = laidAlbedo(bladeAlbedo(0u, height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
-  vec3 light = lightCanopy(albedo, stem, v, at) + contourLift(ground, v, sunlit * height);
+  // What neighbours take from each other besides, fitted to pictures of every blade (bench picture).
+  float up = max(v.y, 0.0);
+  float fitted = (1.0 - 0.357 * sqrt(up) * (1.0 - 0.902 * up)) * (0.9 + 0.1 * smoothstep(0.0, 0.15, 1.0 - stem.y));
+  vec3 light = lightCanopy(albedo, stem, v, at) * fitted + contourLift(ground, v, sunlit * height);
   return mix(light, undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
 }

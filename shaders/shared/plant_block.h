@@ -17,8 +17,7 @@ struct PlantKind {
   vec4 motion;  // x F / stiffness s/m, y stiffness variation, z flutter, w slope alignment
   vec4 levels;  // x height in pixels from which the mesh is drawn, y width in pixels below which plants are thinned,
                 // z height in pixels at which they are gone, w most widening of thinned ones
-  vec4 tint;    // rgb times the mesh's colour; w 1 where it has a texture
-  vec4 kind;    // x 1 built-in flower, 0 mesh; y alpha cutoff; z 0; w 0
+  vec4 tint;    // rgb times the mesh's colour; w 1 for a built-in flower, 0 for a mesh from a file
   uint seed;
   uint first[2];  // per level: place of the first plant in the list
   uint room[2];   // and how many fit
@@ -52,7 +51,7 @@ struct PlantCommand {
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::PlantKind) == 128, "std430 layout");
+static_assert(sizeof(windloom::shared::PlantKind) == 112, "std430 layout");
 static_assert(sizeof(windloom::shared::PlantInstance) == 48, "std430 layout");
 static_assert(sizeof(windloom::shared::PlantCommand) == 20, "std430 layout");
 #endif

@@ -92,8 +92,9 @@ def drag_collider(app):
 def set_map(app, folder):
     app.press("inspector/tab/Grass")
     # Groups above the maps are closed, so that these stand in the window.
-    for group in ("Dynamics", "Colours", "Shade"):
+    for group, row in (("Dynamics", "windFactor"), ("Colours", "dryness"), ("Shade", "shadow/min")):
         app.press(f"inspector/grass/group/{group}")
+        app.wait(f"{group} closed", lambda: f"inspector/grass/{row}" not in app.read_map()[1])
     app.press("inspector/grass/maps/density/browse")
     app.wait_fact("dialog", "asset")
     app.choose_path(folder / "mask.png")

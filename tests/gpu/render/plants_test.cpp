@@ -242,6 +242,23 @@ TEST_F(Plants, BendWithTheWind) {
   EXPECT_LT(std::abs(strong.y), 0.1f);
 }
 
+TEST_F(Plants, BendWithTheVirtualWindWhereGrassHasInertia) {
+  setSpecies([](Species&) {}, [](GrassSettings& grass) { grass.deformation = Deformation::Inertial; });
+  m_wind = uniformWind({6.0f, 0.0f});
+  m_input.wind = {m_wind.name(), makeGridMapping(m_project.field->centre, m_project.field->size, {16, 16})};
+  for (int frame = 0; frame < 40; ++frame) {
+    m_input.time += 1.0 / 30.0;
+    m_renderer->advance(m_input);
+  }
+  glm::vec2 sum(0.0f);
+  const std::vector<PlantInstance> plants = everyPlant();
+  for (const PlantInstance& plant : plants) sum += glm::unpackHalf2x16(plant.bend);
+  sum /= static_cast<float>(plants.size());
+  EXPECT_GT(sum.x, 0.1f);
+  EXPECT_LT(sum.x, 1.5f);
+  EXPECT_LT(std::abs(sum.y), 0.1f);
+}
+
 TEST_F(Plants, ShowThemselvesAndTheWindInThePicture) {
   setCamera({0.0f, 1.0f, 6.0f}, {0.0f, 0.4f, 0.0f});
   const Picture with = picture();

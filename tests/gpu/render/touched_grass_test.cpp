@@ -184,7 +184,7 @@ TEST_F(TouchedGrass, AnEditedColliderIsFollowedWhileTimeStands) {
   const Picture away = picture();
   m_ball.position = {0.0f, 0.0f};
   show(m_ball);
-  EXPECT_GT(difference(picture(), away), 0.5f);
+  EXPECT_GT(difference(picture(), away), 0.2f);
   m_ball.position = {20.0f, 0.0f};
   show(m_ball);
   EXPECT_EQ(picture().rgba, away.rgba) << "no dent is left where it was";

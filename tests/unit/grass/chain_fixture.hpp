@@ -66,7 +66,7 @@ void forManyMeadows(Body body) {
   for (const float stiffness : {0.05f, 1.0f, 20.0f}) {
     for (const float windFactor : {0.0f, 0.06f, 1.0f}) {
       for (const float exponent : {1.0f, 4.0f / 3.0f, 2.0f}) {
-        for (const float rate : {0.1f, 1.4f, 10.0f}) {
+        for (const float rate : {0.1f, 1.4f, 20.0f}) {
           for (const float damping : {0.02f, 0.18f, 1.0f}) {
             GrassSettings grass;
             grass.stiffness = stiffness;

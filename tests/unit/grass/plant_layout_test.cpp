@@ -20,7 +20,7 @@ std::vector<Species> species() {
   return all;
 }
 
-const PlantMeshSummary kMesh{{-0.1f, 0, -0.1f}, {0.1f, 1, 0.1f}, 100, false, 0.5f};
+const PlantMeshSummary kMesh{{-0.1f, 0, -0.1f}, {0.1f, 1, 0.1f}, 100, 0.5f};
 
 TEST(PlantLayout, SharesTheDensityByWeight) {
   GrassSettings grass;

@@ -103,6 +103,31 @@ TEST_F(PlantFiles, ReadsATextureWithItsAlpha) {
   EXPECT_EQ(mesh->vertices[1].uv, glm::vec2(1, 1));
 }
 
+/// A JPEG of 8 x 8 pixels in about (200, 40, 30).
+std::string redJpeg() {
+  const std::string hex =
+      "ffd8ffe000104a46494600010100000100010000ffdb0043000d090a0b0a080d0b0a0b0e0e0d0f13201513121213271c1e17202e293130"
+      "2e292d2c333a4a3e333646372c2d405741464c4e525352323e5a615a50604a51524fffdb0043010e0e0e131113261515264f352d354f4f"
+      "4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4f4fffc00011080008"
+      "000803012200021101031101ffc4001500010100000000000000000000000000000005ffc4001410010000000000000000000000000000"
+      "0000ffc4001501010100000000000000000000000000000506ffc40014110100000000000000000000000000000000ffda000c03010002"
+      "110311003f008c00d573ffd9";
+  std::string bytes;
+  for (std::size_t i = 0; i + 1 < hex.size(); i += 2)
+    bytes += static_cast<char>(std::stoi(hex.substr(i, 2), nullptr, 16));
+  return bytes;
+}
+
+TEST_F(PlantFiles, ReadsJpegs) {
+  const auto mesh = read(textured(redJpeg()));
+  ASSERT_TRUE(mesh);
+  ASSERT_EQ(mesh->textureSize, glm::ivec2(8, 8));
+  EXPECT_NEAR(mesh->texture[0], 200, 6);
+  EXPECT_NEAR(mesh->texture[1], 40, 6);
+  EXPECT_EQ(mesh->texture[3], 255);
+  EXPECT_NE(refusal(textured(redJpeg().substr(0, 60))).find("damaged JPEG"), std::string::npos);
+}
+
 TEST_F(PlantFiles, IgnoresTheAlphaOfAnOpaqueMaterial) {
   const auto mesh = read(textured(picture(8, {10, 200, 30, 77})));
   ASSERT_TRUE(mesh);
