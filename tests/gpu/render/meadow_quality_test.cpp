@@ -13,20 +13,10 @@ using testing::difference;
 using testing::Picture;
 using testing::uniformWind;
 
-constexpr int kSquare = 20;  // pixels
-
 FloatImage floatsOf(const Picture& picture) {
   FloatImage image(picture.size.x, picture.size.y, 4);
   std::copy(picture.rgba.begin(), picture.rgba.end(), image.pixels.begin());
   return image;
-}
-
-/// The light without the outermost squares, where the camera's way brings new blades into the picture.
-FloatImage innerLight(const Picture& picture) {
-  const FloatImage all = lightOf(floatsOf(picture));
-  FloatImage inner(all.width - 2 * kSquare, all.height - 2 * kSquare, 1);
-  for (int y = 0; y < inner.height; ++y) std::copy_n(all.at(kSquare, y + kSquare), inner.width, inner.at(0, y));
-  return inner;
 }
 
 double light(const Picture& picture) {
@@ -65,7 +55,7 @@ class MeadowQuality : public testing::RenderTest {
       if (i > 0) {
         flight.changes.push_back(static_cast<double>(difference(before, now)));
         flight.brightness.push_back(light(now) / light(before) - 1.0);
-        flight.worstSquares.push_back(largestLocalError(innerLight(now), innerLight(before), kSquare));
+        flight.worstSquares.push_back(largestLocalError(lightOf(floatsOf(now)), lightOf(floatsOf(before)), 20));
       }
       before = now;
     }
