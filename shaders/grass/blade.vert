@@ -27,6 +27,15 @@ out vec3 bladePlace;  // -1..1 across, 0..1 along, how clearly the midrib is see
 
 float taperAt(float s) { return 1.0 - 0.9 * s * s; }
 
+#if SEGMENTS > 1
+// Of the picture, at a place of its spine. `hidden`: part of the blades around it that it stands for.
+vec3 litAt(BladeLook look, Spine spine, float s, vec3 side, float edge, vec3 v, float hidden) {
+  float seen = mix(s, 1.0 - seenDepth(v.y) * (1.0 - s), hidden);
+  vec3 place = spine.position + vec3(0.0, (seen - s) * look.height, 0.0);
+  return bladeLight(look, place, spine.tangent, seen, side, edge, v);
+}
+#endif
+
 void main() {
   uint at = uint(gl_VertexID);
   uint chunk = commands.starts[level] + uint(gl_InstanceID);
@@ -59,9 +68,11 @@ void main() {
   float taper = SEGMENTS == 1 ? 1.3 * (1.0 - s) : taperAt(s);
 #if SEGMENTS == 6
   float coarser = smoothstep(1.5 * grass.levels.x, grass.levels.x, tall);
-  if (coarser > 0.0 && (row & 1) == 1) {
-    Spine before = spineAt(bend, chained, leans, s - 1.0 / 6.0, facing, sizes.x);
-    Spine after = spineAt(bend, chained, leans, s + 1.0 / 6.0, facing, sizes.x);
+  bool between = coarser > 0.0 && (row & 1) == 1;
+  Spine before = spine, after = spine;
+  if (between) {
+    before = spineAt(bend, chained, leans, s - 1.0 / 6.0, facing, sizes.x);
+    after = spineAt(bend, chained, leans, s + 1.0 / 6.0, facing, sizes.x);
     spine.position = mix(spine.position, 0.5 * (before.position + after.position), coarser);
     float tipwards = row == 5 ? 0.0 : taperAt(s + 1.0 / 6.0);
     taper = mix(taper, 0.5 * (taperAt(s - 1.0 / 6.0) + tipwards), coarser);
@@ -88,9 +99,15 @@ void main() {
 #else
   vec2 shade = unpackHalf2x16(blade.shade);
   BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, 2.0 * foot.a, shade.x, shade.y, unpackUnorm4x8(blade.tint), normal, mapColour(root.xz));
-  float seen = mix(s, 1.0 - seenDepth(v.y) * (1.0 - s), tip.a);
-  vec3 place = spine.position + vec3(0.0, (seen - s) * sizes.x, 0.0);
-  vec3 lit = bladeLight(look, place, spine.tangent, seen, side, edge, v);
+  vec3 lit = litAt(look, spine, s, side, edge, v, tip.a);
+#if SEGMENTS == 6
+  if (between) {
+    Spine low = Spine(planted(before.position, normal), planted(before.tangent, normal));
+    Spine high = Spine(planted(after.position, normal), planted(after.tangent, normal));
+    vec3 ends = litAt(look, low, s - 1.0 / 6.0, side, edge, v, tip.a) + litAt(look, high, s + 1.0 / 6.0, side, row == 5 ? 0.0 : edge, v, tip.a);
+    lit = mix(lit, 0.5 * ends, coarser);
+  }
+#endif
   float clear = smoothstep(grass.levels.y, 2.0 * grass.levels.y, tall);
   bladeColour = mix(afar, toPicture(throughAir(lit, world)), clear);
   float rib = 0.0;
