@@ -147,7 +147,7 @@ GrassBlock makeGrassBlock(const GrassSettings& grass, std::span<const Species> s
   block.tiles = {layout.tileSideM, layout.bladesInTile, 0.0f, static_cast<float>(kinds)};
   block.tileCentre = {0.0f, 0.0f, kMeadowMarginM, asked.thinning ? 0.0f : 1.0f};
   block.boundsRange = {glm::vec2(layout.low), static_cast<float>(layout.tiles().x), asked.culling ? 1.0f : 0.0f};
-  block.cover = {kLeastPixels / quality, kMostWidening, kLayers * quality, kFadePixels / std::sqrt(quality)};
+  block.cover = {kLeastPixels / quality, kMostWidening, kLayers * std::sqrt(quality), kFadePixels / std::sqrt(quality)};
   const float coarser = asked.thinning ? 1.0f / std::sqrt(quality) : 0.0f;
   block.levels = {70.0f * coarser, 20.0f * coarser, closed, density * grass.width * grass.height};
   block.ground = {grass.slopeAlign, cosineOf(grass.slopeLimit), cosineOf(grass.slopeLimit - 15.0f), 0.0f};

@@ -17,7 +17,11 @@ constexpr int kRings = 6, kSectors = 24;  // as in shaders/terrain/ground.vert
 
 Result<Backdrop> Backdrop::create(gpu::ShaderLibrary& shaders) {
   Backdrop backdrop;
-  if (Status loaded = loadPrograms(shaders, {{"sky/bake", &backdrop.m_bake}, {"sky/sky", &backdrop.m_sky}, {"terrain/ground", &backdrop.m_ground}, {"terrain/ground quick", &backdrop.m_groundQuick}});
+  if (Status loaded = loadPrograms(shaders, {{"sky/bake", &backdrop.m_bake},
+                                             {"sky/sky", &backdrop.m_sky},
+                                             {"terrain/ground", &backdrop.m_ground[0]},
+                                             {"terrain/ground quick", &backdrop.m_ground[1]},
+                                             {"terrain/ground plain", &backdrop.m_ground[2]}});
       !loaded) {
     return loaded.error();
   }
@@ -48,9 +52,10 @@ void Backdrop::bakeSky() {
 void Backdrop::drawGround(const gpu::PassState& state, const ViewCamera& camera, GroundDetail detail) const {
   const gpu::DebugGroup group("ground");
   gpu::apply(state);
-  const gpu::Program& program = detail == GroundDetail::Full ? *m_ground : *m_groundQuick;
+  const gpu::Program& program = *m_ground[static_cast<std::size_t>(detail)];
   program.use();
-  const float reach = camera.orthographic ? 4.0f * camera.orthographicHeight + camera.farPlane : 0.98f * camera.farPlane;
+  const float reach =
+      camera.orthographic ? 4.0f * camera.orthographicHeight + camera.farPlane : 0.98f * camera.farPlane;
   const float rings[kRings] = {0.0f, 0.002f * reach, 0.01f * reach, 0.05f * reach, 0.25f * reach, reach};
   for (int ring = 0; ring < kRings; ++ring) program.set("rings[" + std::to_string(ring) + "]", rings[ring]);
   m_noVertices.bind();

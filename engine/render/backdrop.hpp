@@ -1,6 +1,8 @@
 #pragma once
 // Sky and ground.
 
+#include <array>
+
 #include "engine/gpu/pass_state.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
@@ -16,8 +18,9 @@ class Backdrop {
 
   /// Draws clouds and ridges into their map once. Frame block and noise must be bound.
   void bakeSky();
-  /// Full detail samples the ground's finest texture too; a software renderer goes without.
-  enum class GroundDetail { Full, Quick };
+  /// Full detail samples the ground's finest texture too; a software renderer goes without. Plain is quick where there
+  /// are neither maps of the grass nor colliders.
+  enum class GroundDetail { Full, Quick, Plain };
   void drawGround(const gpu::PassState& state, const ViewCamera& camera, GroundDetail detail) const;
   void drawSky(const gpu::PassState& state) const;
 
@@ -25,8 +28,7 @@ class Backdrop {
   Backdrop() = default;
   gpu::Program* m_bake = nullptr;
   gpu::Program* m_sky = nullptr;
-  gpu::Program* m_ground = nullptr;
-  gpu::Program* m_groundQuick = nullptr;
+  std::array<gpu::Program*, 3> m_ground{};  // by GroundDetail
   gpu::Texture m_skyMap;
   gpu::Handle<gpu::FramebufferKind> m_skyTarget;
   gpu::VertexArray m_noVertices;

@@ -173,6 +173,14 @@ class FrameRendererImpl final : public FrameRenderer {
     return m_software && input.quality.detail < kSoftwareFullDetail && !input.quality.still;
   }
 
+  [[nodiscard]] Backdrop::GroundDetail groundDetail(const FrameInput& input) const {
+    if (!quick(input)) return Backdrop::GroundDetail::Full;
+    const GrassSettings& grass = *input.project->grass;
+    const bool maps = grass.densityPixels || grass.heightPixels || grass.colourPixels;
+    const bool plain = !maps && input.project->colliders->empty();
+    return plain ? Backdrop::GroundDetail::Plain : Backdrop::GroundDetail::Quick;
+  }
+
   bool fitTargets(const FrameInput& input) {
     const int samples = quick(input) ? 1 : 4;
     if (m_targets.size() == input.size && m_targets.samples() == samples) return true;
@@ -225,7 +233,7 @@ class FrameRendererImpl final : public FrameRenderer {
     }
     m_parts.occluders.update([&](const gpu::PassState& state) {
       m_parts.solids.draw(state);
-      if (!m_parts.ground.flat()) m_parts.ground.draw(state, m_block, input.camera, Backdrop::GroundDetail::Quick);
+      if (!m_parts.ground.flat()) m_parts.ground.draw(state, m_block, input.camera, Backdrop::GroundDetail::Plain);
     });
   }
 
@@ -251,7 +259,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_timer.stage("plants");
     m_parts.plants.draw(state);
     m_timer.stage("ground");
-    const auto detail = quick(input) ? Backdrop::GroundDetail::Quick : Backdrop::GroundDetail::Full;
+    const auto detail = groundDetail(input);
     if (m_parts.ground.flat()) {
       m_parts.backdrop.drawGround(state, input.camera, detail);
     } else {

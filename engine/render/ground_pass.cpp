@@ -33,8 +33,9 @@ std::vector<std::uint32_t> latticeIndices(int level) {
 
 Result<GroundPass> GroundPass::create(gpu::ShaderLibrary& shaders) {
   GroundPass pass;
-  if (Status loaded =
-          loadPrograms(shaders, {{"terrain/ground mesh", &pass.m_full}, {"terrain/ground mesh quick", &pass.m_quick}});
+  if (Status loaded = loadPrograms(shaders, {{"terrain/ground mesh", &pass.m_programs[0]},
+                                             {"terrain/ground mesh quick", &pass.m_programs[1]},
+                                             {"terrain/ground mesh plain", &pass.m_programs[2]}});
       !loaded) {
     return loaded.error();
   }
@@ -109,7 +110,7 @@ void GroundPass::draw(const gpu::PassState& state, const FrameBlock& frame, cons
   if (!makeRoom(m_tilesInView, "ground tiles", tiles.size() * sizeof(GroundTile))) return;
   m_tilesInView.write(std::span<const GroundTile>(tiles));
   gpu::apply(state);
-  const gpu::Program& program = full ? *m_full : *m_quick;
+  const gpu::Program& program = *m_programs[static_cast<std::size_t>(detail)];
   program.use();
   program.set("reach", reach);
   m_tilesInView.bindStorage(RENDER_SSBO_GROUND_TILES);

@@ -32,8 +32,7 @@ class GroundPass {
   GroundPass() = default;
   Status makeLattices();
 
-  gpu::Program* m_full = nullptr;
-  gpu::Program* m_quick = nullptr;
+  std::array<gpu::Program*, 3> m_programs{};  // by GroundDetail
   gpu::Texture m_heightTexture, m_lightTexture;
   gpu::Buffer m_tilesInView;
   std::array<gpu::VertexArray, GROUND_LEVELS> m_lattices;

@@ -8,8 +8,10 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/solids.glsl"
+#ifndef PLAIN  // without maps and colliders
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/colliders.glsl"
+#endif
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/scene_output.glsl"
 
@@ -34,8 +36,14 @@ void main() {
   float sunlit = smoothstep(-0.1, 0.1, 0.02 - max(solids.shadowHeight, softened(slope.shadowHeight)));
   float light = slopeLight(slope.normal, sunlit);
   float open = openness(solids.distanceM);
+#ifdef FULL_DETAIL
   vec4 fine = noiseAt(world, 1.9);
   vec4 mid = noiseAt(world.yx, 8.3);
+#else
+  // From one level of the texture, not between two.
+  vec4 fine = noiseAtLevel(world, 1.9, floor(log2(256.0 / (1.9 * pixels)) + 0.5));
+  vec4 mid = fine.gbar;
+#endif
 
   float tall = grass.baseColour.w * pixels;
   // As far as fewer blades cover it than grow there.
@@ -43,10 +51,20 @@ void main() {
   covered *= 1.0 - hiddenPart(dot(slope.normal, v));
   float blended = grass.tileCentre.w > 0.5 ? 0.0 : 1.0 - covered;
   float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileCentre.z));
-  mean *= mapDensity(world) * slopeDensity(slope.normal);
+  mean *= smoothstep(grass.ground.y, grass.ground.z, slope.normal.y);
+#ifndef PLAIN
+  mean *= mapDensity(world);
   light *= colliderShade(groundWorld);
+#endif
+#ifdef FULL_DETAIL
   vec2 wind = rippledWind(world, smoothWind(world), grass.motion.z);
-  vec3 meadow = meadowColour(world, wind, v, slope.normal, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels) * mapColour(world);
+#else
+  vec2 wind = smoothWind(world);
+#endif
+  vec3 meadow = meadowColour(world, wind, v, slope.normal, sunlit) * mix(open, 1.0, 0.5) * tufts(world, fine, mid, pixels);
+#ifndef PLAIN
+  meadow *= mapColour(world);
+#endif
   float litter = smoothstep(0.35, 0.7, 0.6 * fine.a + 0.4 * mid.r);
   vec3 ground = undergrowth(litter, 0.65 + 0.7 * fine.b, sunlit, open);
   writeScene(throughAir(mix(ground, meadow, mean) * light, groundWorld));
