@@ -43,6 +43,7 @@ std::vector<glm::vec2> groundInTiles(const GrassLayout& layout, const HeightFiel
 struct GrassQuality {
   float detail = 1.0f;  ///< clamped to [0.02, 1]
   bool thinning = true, culling = true;
+  bool quick = false;  ///< on a software renderer: strips change their number of segments at once
 };
 
 /// Settings for the shaders. `frame` is the camera's.

@@ -54,10 +54,17 @@ Status grow(gpu::Buffer& buffer, std::string_view label, std::size_t bytes) {
 Result<InstancedGrass> InstancedGrass::create(gpu::ShaderLibrary& shaders) {
   InstancedGrass grass;
   const std::pair<std::string_view, gpu::Program**> programs[] = {
-      {"grass/cull tiles", &grass.m_cull},     {"grass/scan groups", &grass.m_scan},
-      {"grass/list chunks", &grass.m_list},    {"grass/place blades", &grass.m_place},
-      {"grass/blade near", &grass.m_blade[0]}, {"grass/blade middle", &grass.m_blade[1]},
+      {"grass/cull tiles", &grass.m_cull},
+      {"grass/scan groups", &grass.m_scan},
+      {"grass/list chunks", &grass.m_list},
+      {"grass/place blades", &grass.m_place},
+      {"grass/blade near", &grass.m_blade[0]},
+      {"grass/blade middle", &grass.m_blade[1]},
       {"grass/blade far", &grass.m_blade[2]},
+      {"grass/place blades plain", &grass.m_placePlain},
+      {"grass/blade near quick", &grass.m_bladeQuick[0]},
+      {"grass/blade middle quick", &grass.m_bladeQuick[1]},
+      {"grass/blade far quick", &grass.m_bladeQuick[2]},
   };
   for (const auto& [name, slot] : programs) {
     Result<gpu::Program*> program = shaders.load(grassProgram(name));
@@ -125,6 +132,8 @@ Status InstancedGrass::bindSettings(const GrassSettings& grass, std::span<const 
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_GRASS);
   m_tiles = tilesInRings(block);
+  m_chained = chains == Chains::Some;
+  m_quick = quality.quick && !m_chained;
   if (m_tiles == 0) return Done{};
   Status room = makeRoomFor(block, quality, chains == Chains::Some);
   if (!room) m_tiles = 0;
@@ -155,9 +164,10 @@ void InstancedGrass::prepare() {
   m_list->dispatch(static_cast<int>(groups));
   // place_blades reads the chunks of list_chunks and the group count of scan_groups.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-  m_place->use();
+  const gpu::Program& place = m_chained ? *m_place : *m_placePlain;
+  place.use();
   m_chains.bindStorage(RENDER_SSBO_CHAINS);
-  m_place->dispatchIndirect(m_commands, offsetof(GrassCommands, groupsX));
+  place.dispatchIndirect(m_commands, offsetof(GrassCommands, groupsX));
 }
 
 void InstancedGrass::draw(const gpu::PassState& state) {
@@ -172,8 +182,9 @@ void InstancedGrass::draw(const gpu::PassState& state) {
   m_chains.bindStorage(RENDER_SSBO_CHAINS);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.name());
   for (std::size_t level = 0; level < GRASS_LEVELS; ++level) {
-    m_blade[level]->use();
-    m_blade[level]->set("level", static_cast<unsigned>(level));
+    const gpu::Program& blade = m_quick ? *m_bladeQuick[level] : *m_blade[level];
+    blade.use();
+    blade.set("level", static_cast<unsigned>(level));
     m_strips[level].bind();
     const std::size_t offset = offsetof(GrassCommands, draws) + level * 5 * sizeof(std::uint32_t);
     glDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_SHORT, reinterpret_cast<const void*>(offset));

@@ -4,7 +4,7 @@
 // frustum and against hills and solids, blades thin out and widen with distance, and there are three levels of detail.
 //
 // Passes: cull_tiles looks at the tiles around the camera, scan_groups and list_chunks list their visible blades in
-// chunks of 32, near ones first and always in the same order, place_blades makes the blades, three indirect draws draw
+// chunks of 8, near ones first and always in the same order, place_blades makes the blades, three indirect draws draw
 // the chunks as instances. No result is waited for.
 
 #include <array>
@@ -54,14 +54,15 @@ class InstancedGrass {
   Status makeRoomFor(const GrassBlock& block, const GrassQuality& quality, bool chains);
 
   GrassLayout m_layout;
-  gpu::Program *m_cull = nullptr, *m_scan = nullptr, *m_list = nullptr, *m_place = nullptr;
-  std::array<gpu::Program*, GRASS_LEVELS> m_blade{};
+  gpu::Program *m_cull = nullptr, *m_scan = nullptr, *m_list = nullptr, *m_place = nullptr, *m_placePlain = nullptr;
+  std::array<gpu::Program*, GRASS_LEVELS> m_blade{}, m_bladeQuick{};
   std::array<gpu::Buffer, GRASS_LEVELS> m_indices;
   std::array<gpu::VertexArray, GRASS_LEVELS> m_strips;
   gpu::Buffer m_settings, m_chunks, m_blades, m_commands, m_bounds, m_tileWork, m_groupWork, m_chains;
   gpu::ReadbackRing m_counts;
   std::uint32_t m_tiles = 0;  // looked at this frame; 0: nothing to draw
   std::uint32_t m_chunkLimit = 0;
+  bool m_chained = false, m_quick = false;
   long long m_bladesDrawn = 0;
 };
 

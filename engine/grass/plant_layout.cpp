@@ -9,7 +9,7 @@
 namespace windloom {
 namespace {
 
-constexpr float kPlantsInCell = 256.0f;
+constexpr float kPlantsInCell = 768.0f;
 constexpr int kLeastSideLog = 0, kMostSideLog = 6;  // cells of 1 m to 64 m
 // Mean of patchAt() in place_plants.comp.
 constexpr float kPatchMean = 0.4f;

@@ -199,7 +199,7 @@ class FrameRendererImpl final : public FrameRenderer {
     const bool inertial = project.grass->deformation == Deformation::Inertial;
     const bool remembers = inertial || !project.colliders->empty() || m_parts.dynamics.touched();
     const auto chains = remembers ? InstancedGrass::Chains::Some : InstancedGrass::Chains::None;
-    const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling};
+    const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling, quick(input)};
     accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block,
                                       occluding() ? m_parts.occluders.levels() : 0, chains));
     m_parts.maps.bind();

@@ -56,9 +56,14 @@ void main() {
   vec2 sizes = unpackHalf2x16(blade.sizes);
   vec2 facing = facingOf(blade.facing);
   vec2 bend = unpackHalf2x16(blade.bend);
+#ifdef QUICK  // neither chains nor the change between strips
+  const bool chained = false;
+  ChainLeans leans;
+#else
   bool chained = blade.chain != 0u;
   uvec4 packed4 = chained ? chains[chunk * GRASS_CHUNK + lane] : uvec4(0u);
   ChainLeans leans = ChainLeans(vec2[](unpackHalf2x16(packed4.x), unpackHalf2x16(packed4.y), unpackHalf2x16(packed4.z), unpackHalf2x16(packed4.w)));
+#endif
   float rootHeight = mix(frame.groundRange.x, frame.groundRange.y, float(blade.facing >> 16u) / 65535.0);
   vec3 root = vec3(blade.x, rootHeight, blade.z);
   vec3 normal = groundNormal(root.xz);
@@ -66,7 +71,9 @@ void main() {
 
   Spine spine = spineAt(bend, chained, leans, s, facing, sizes.x);
   float taper = SEGMENTS == 1 ? 1.3 * (1.0 - s) : taperAt(s);
-#if SEGMENTS == 6
+#ifdef QUICK
+  const float coarser = 0.0;
+#elif SEGMENTS == 6
   float coarser = smoothstep(1.5 * grass.levels.x, grass.levels.x, tall);
   bool between = coarser > 0.0 && (row & 1) == 1;
   Spine before = spine, after = spine;
@@ -100,7 +107,7 @@ void main() {
   vec2 shade = unpackHalf2x16(blade.shade);
   BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, 2.0 * foot.a, shade.x, shade.y, unpackUnorm4x8(blade.tint), normal, mapColour(root.xz));
   vec3 lit = litAt(look, spine, s, side, edge, v, tip.a);
-#if SEGMENTS == 6
+#if SEGMENTS == 6 && !defined(QUICK)
   if (between) {
     Spine low = Spine(planted(before.position, normal), planted(before.tangent, normal));
     Spine high = Spine(planted(after.position, normal), planted(after.tangent, normal));

@@ -43,8 +43,11 @@ uint workOf(ivec2 tile) {
   if (!insideFrustum(centre, halfSize) || isOccluded(centre, halfSize)) return 0u;
   float pixels = frame.pixelScale.x;
   if (!isOrthographic()) {
-    float depth = dot(centre - frame.cameraPosition.xyz, frame.viewForward.xyz);
-    pixels /= max(depth - dot(abs(frame.viewForward.xyz), halfSize), 0.05);
+    float depth = dot(centre - frame.cameraPosition.xyz, frame.viewForward.xyz) - dot(abs(frame.viewForward.xyz), halfSize);
+    // What is seen lies within the corners of the picture: not less deep than so much of its distance.
+    float distance = length(max(abs(centre - frame.cameraPosition.xyz) - halfSize, vec3(0.0)));
+    float corner = inversesqrt(1.0 + dot(frame.viewport.xy, frame.viewport.xy) / (4.0 * frame.pixelScale.x * frame.pixelScale.x));
+    pixels /= max(max(depth, distance * corner), 0.05);
   }
   uint blades = bladesInTile(tileHash(tile));
   uint count = min(blades, uint(ceil(float(blades) * keptPart(pixels, mostFacing(centre, halfSize)))));

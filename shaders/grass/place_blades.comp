@@ -14,11 +14,16 @@
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/colliders.glsl"
 #include "shaders/include/grass_blades.glsl"
+#include "shaders/shared/segment_chain.h"
+#ifdef CHAINS
 #include "shaders/include/virtual_wind.glsl"
+#endif
 #include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_pose.glsl"
 #include "shaders/include/blade_shape.glsl"
+#ifdef CHAINS
 #include "shaders/include/grass_patches.glsl"
+#endif
 
 layout(local_size_x = GRASS_CHUNK * GRASS_CHUNKS_A_GROUP) in;
 layout(std430, binding = RENDER_SSBO_CHUNKS) buffer Chunks { GrassChunk chunks[]; };
@@ -70,14 +75,17 @@ uint packFacing(vec2 facing, uint species, float height) {
 // The blade's pose, with what of it objects have bent; false: it is hidden under one.
 bool poseOf(BladeRoot own, vec2 felt, int patchSlot, uint index, out BladePose pose, out bool chained) {
   pose = blockPose(own, felt);
+  chained = false;
+#ifdef CHAINS
   chained = grass.size.w == GRASS_DEFORMATION_INERTIAL;
-  if (patchSlot < 0 || grass.limits.y < 0.5) return true;
+  if (patchSlot < 0) return true;
   ChainLeans touched;
   if (!patchLeans(patchSlot, index, touched)) return false;
   for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
     pose.leans.e[i] += touched.e[i];
     chained = chained || touched.e[i] != vec2(0.0);
   }
+#endif
   return true;
 }
 
@@ -157,7 +165,11 @@ void main() {
   if (valid) {
     GrassChunk chunk = chunks[at];
     ivec2 tile = ivec2(chunk.x, chunk.z);
-    drawn = lane < chunk.count && makeBlade(tile, chunk.first + lane, bladesInTile(tileHash(tile)), patchOf(tile), blade, leans);
+    int patchSlot = -1;
+#ifdef CHAINS
+    patchSlot = patchOf(tile);
+#endif
+    drawn = lane < chunk.count && makeBlade(tile, chunk.first + lane, bladesInTile(tileHash(tile)), patchSlot, blade, leans);
     if (drawn) atomicOr(drawnLanes[part], 1u << lane);
   }
   barrier();
@@ -165,7 +177,9 @@ void main() {
   if (drawn) {
     uint slot = at * GRASS_CHUNK + uint(bitCount(lanes & ((1u << lane) - 1u)));
     blades[slot] = blade;
+#ifdef CHAINS
     if (blade.chain != 0u) chains[slot] = leans;
+#endif
   }
   if (valid && lane == 0u) {
     chunks[at].count = uint(bitCount(lanes));

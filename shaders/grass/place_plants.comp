@@ -47,7 +47,7 @@ bool inView(vec3 centre, vec3 halfSize) {
 // colour stays in the picture, until they are too low to be seen.
 float keptPlants(PlantKind kind, float pixels) {
   if (thinning == 0) return 1.0;
-  float wide = kind.size.w * kind.size.x * pixels / kind.levels.y * sqrt(detail);
+  float wide = kind.size.w * kind.size.x * pixels / kind.levels.y * pow(detail, 0.75);
   float tall = smoothstep(1.0, 2.2, kind.size.x * pixels / kind.levels.z);
   return clamp(wide * wide, 0.0, 1.0) * tall;
 }
@@ -86,8 +86,11 @@ uint candidatesOf(ivec2 cell, uint seed, PlantKind kind) {
   if (metresBeyond(centre.xz) > margin + side) return 0u;
   float pixels = frame.pixelScale.x;
   if (!isOrthographic()) {
-    float depth = dot(centre - frame.cameraPosition.xyz, frame.viewForward.xyz);
-    pixels /= max(depth - dot(abs(frame.viewForward.xyz), halfSize), 0.05);
+    float depth = dot(centre - frame.cameraPosition.xyz, frame.viewForward.xyz) - dot(abs(frame.viewForward.xyz), halfSize);
+    // What is seen lies within the corners of the picture: not less deep than so much of its distance.
+    float distance = length(max(abs(centre - frame.cameraPosition.xyz) - halfSize, vec3(0.0)));
+    float corner = inversesqrt(1.0 + dot(frame.viewport.xy, frame.viewport.xy) / (4.0 * frame.pixelScale.x * frame.pixelScale.x));
+    pixels /= max(max(depth, distance * corner), 0.05);
   }
   // The broken part of the mean is spread over the cells.
   uint total = uint(kind.growth.x + hashToUnit(pcgHash(seed ^ 0x51ed27u)));
@@ -163,7 +166,7 @@ bool makePlant(ivec2 cell, uint index, uint seed, PlantKind kind, out PlantInsta
   plant.canopy = packHalf2x16(vec2(grass.baseColour.w * mapHeight(root) * mix(1.0, 0.3, min(thin, 1.0)), slope));
   plant.place = place;
   // Each at a distance of its own, so that no line shows where the smaller mesh begins.
-  level = tallness * kind.size.x * pixels * (0.85 + 0.3 * fract(phase * 5.7)) > kind.levels.x ? 0u : 1u;
+  level = tallness * kind.size.x * pixels * (0.85 + 0.3 * fract(phase * 5.7)) > kind.levels.x * inversesqrt(detail) ? 0u : 1u;
   return true;
 }
 

@@ -16,7 +16,13 @@ vec3 clearSky(vec3 direction) {
 
 // What the air puts before distant things: the horizon in the direction of a unit vector. It is not made unit again:
 // looking straight down it has no direction, and the glow around the sun must fade out there.
-vec3 hazeColour(vec3 fromCamera) { return clearSky(vec3(fromCamera.x, 0.02, fromCamera.z)) * 0.92; }
+// clearSky at 0.02 above the horizon, whose powers are known.
+vec3 hazeColour(vec3 fromCamera) {
+  vec3 direction = vec3(fromCamera.x, 0.02, fromCamera.z);
+  float sunward = dot(direction, frame.sunDirection.xyz) - 1.0;
+  vec3 colour = mix(mix(kHorizon, kZenith, 0.19341), kSunward, 0.67863 * exp2(sunward * 3.2));
+  return (colour + kSunward * (0.22 * exp2(sunward * 9.0) + 0.9 * exp2(sunward * 160.0))) * 0.92;
+}
 
 float hazeAmount(float distanceM) { return isOrthographic() ? 0.0 : 1.0 - exp(-frame.pixelScale.y * distanceM); }
 

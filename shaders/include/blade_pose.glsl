@@ -29,13 +29,14 @@ BladePose blockPose(BladeRoot own, vec2 felt) {
   // The droop of eq. 11 as a rest bend: k2 moves the tip forward by k2 of the height.
   vec2 rest = own.facing * min(grass.droop.y * 1.38 * (0.7 + 4.5 * unit(state) * unit(state)), kMaxRestBend);
   vec2 flutter = arcFlutter(felt, frame.viewForward.w, unit(state), 0.75 + 0.5 * unit(state), grass.motion.z);
+  pose.bend = arcSteadyBend(rest, felt, own.factor) + flutter;
+#ifdef CHAINS  // a software renderer would do both sides of a branch
   if (grass.size.w == GRASS_DEFORMATION_INERTIAL) {
     rest = arcSteadyBend(rest, vec2(0.0), 0.0);
     pose.leans = virtualLeans(own.root, rest, own.factor);
     pose.bend = rest + flutter;
-  } else {
-    pose.bend = arcSteadyBend(rest, felt, own.factor) + flutter;
   }
+#endif
   return pose;
 }
 

@@ -32,6 +32,8 @@ float sunInCanopy(float height, float open) {
 
 float skyInCanopy(float height) { return mix(0.22, 1.0, height * (2.0 - height)); }
 
+float fourth(float x) { return x * x * (x * x); }
+
 struct GrassLight {
   float height;    // 0 root .. 1 top of the canopy
   float dense;     // 0 bare .. 1 closed canopy
@@ -59,11 +61,11 @@ vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, GrassLight at) {
   vec3 l = frame.sunDirection.xyz;
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
   float nl = dot(n, l);
-  float forward = pow(max(dot(v, -l), 0.0), 4.0);
+  float forward = fourth(max(dot(v, -l), 0.0));
   vec3 direct = albedo * max(nl, 0.0) + transmitted(albedo) * max(-nl, 0.0) * (0.5 + 0.7 * forward);
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * (0.75 + 0.25 * n.y);
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
-  float sheen = pow(max(dot(n, normalize(v + l)), 0.0), 14.0) * (0.04 + 0.5 * pow(1.0 - max(dot(n, v), 0.0), 4.0));
+  float sheen = pow(max(dot(n, normalize(v + l)), 0.0), 14.0) * (0.04 + 0.5 * fourth(1.0 - max(dot(n, v), 0.0)));
   vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
   return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - t.y * t.y), sun);
 }
@@ -79,12 +81,13 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   // Along the stem no side is seen more than another, hence the bound on sinV.
   float around = clamp((dot(l, v) - tl * tv) / max(sinL * max(sinV, 0.6), 0.05), -1.0, 1.0);
   float front = 0.5 + 0.5 * around;
-  float forward = pow(max(dot(v, -l), 0.0), 4.0);
+  float forward = fourth(max(dot(v, -l), 0.0));
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
   vec3 direct = sinL * 0.46 * (albedo * front + transmitted(albedo) * (1.0 - front) * (0.5 + 0.7 * forward));
   vec3 h = normalize(v + l);
   float th = dot(t, h);
-  float sheen = pow(max(1.0 - th * th, 0.0), 7.0) * 0.04 + 0.05 * forward * sinL;
+  float beside = max(1.0 - th * th, 0.0);
+  float sheen = fourth(beside) * beside * beside * beside * 0.04 + 0.05 * forward * sinL;
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * 0.85;
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
   vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);

@@ -9,9 +9,9 @@ WL_SHARED_BEGIN
 #define GRASS_DEFORMATION_INERTIAL 2.0f
 
 // Blades of a chunk, which is drawn as one instance; a chunk never spans two tiles.
-#define GRASS_CHUNK 32u
+#define GRASS_CHUNK 8u
 // Chunks that a work-group of the placing pass makes; groups run in rows of so many.
-#define GRASS_CHUNKS_A_GROUP 2u
+#define GRASS_CHUNKS_A_GROUP 8u
 #define GRASS_GROUPS_X 64u
 // Levels of detail: strips of 6, 3 and 1 segments.
 #define GRASS_LEVELS 3u

@@ -11,18 +11,16 @@
 WL_SHARED_BEGIN
 #ifdef __cplusplus
 inline float clampTo(float x, float low, float high) { return x < low ? low : x > high ? high : x; }
-inline float powerOf(float x, float y) { return std::pow(x, y); }
 #else
 float clampTo(float x, float low, float high) { return clamp(x, low, high); }
-float powerOf(float x, float y) { return pow(x, y); }
 #endif
-
-#define GRASS_CONTOUR_POWER 8.0f
 
 /// g: `facing` is the cosine between ground normal and direction to the camera, 0..1; `lift` 1 is the paper's.
 WL_FUNCTION float contourGain(float facing, float lift) {
   float x = clampTo(facing, 0.0f, 1.0f);
-  return x + lift * powerOf(1.0f - x, GRASS_CONTOUR_POWER);
+  float rest2 = (1.0f - x) * (1.0f - x);
+  float rest4 = rest2 * rest2;
+  return x + lift * rest4 * rest4;
 }
 
 /// Part of the blades that a ray towards ground of this gain can tell apart; over 1 where there are too few for that.

@@ -1,4 +1,5 @@
 #version 450 core
+#define CHAINS
 // What drawn blades read from patches, for a test: all blades of a tile, their leans, chains and roots.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
