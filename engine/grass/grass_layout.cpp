@@ -123,6 +123,21 @@ std::vector<glm::vec2> groundInTiles(const GrassLayout& layout, const HeightFiel
   return bounds;
 }
 
+namespace {
+
+/// Part of all plants that are blades: the density is shared by all species by their weights, hidden ones too.
+float bladeShare(std::span<const Species> species) {
+  float blades = 1.0f, all = 1.0f;
+  for (const Species& kind : species) {
+    const float weight = std::max(kind.weight, 0.0f);
+    all += weight;
+    if (kind.shape == PlantShape::Blade && !kind.hidden) blades += weight;
+  }
+  return blades / all;
+}
+
+}  // namespace
+
 GrassBlock makeGrassBlock(const GrassSettings& grass, std::span<const Species> species, const GrassLayout& layout,
                           const GrassQuality& asked, const shared::FrameBlock& frame) {
   const float quality = std::clamp(asked.detail, 0.02f, 1.0f);
@@ -144,10 +159,12 @@ GrassBlock makeGrassBlock(const GrassSettings& grass, std::span<const Species> s
     tallest = std::max(tallest, block.species[i].base.w * (1.0f + block.species[i].tip.w) * 1.25f);
   }
   block.size = {grass.width, tallest, grass.clumping, kDeformations[static_cast<int>(grass.deformation)]};
-  block.tiles = {layout.tileSideM, layout.bladesInTile, 0.0f, static_cast<float>(kinds)};
+  block.tiles = {layout.tileSideM, layout.bladesInTile * bladeShare(species), 0.0f, static_cast<float>(kinds)};
   block.tileCentre = {0.0f, 0.0f, kMeadowMarginM, asked.thinning ? 0.0f : 1.0f};
   block.boundsRange = {glm::vec2(layout.low), static_cast<float>(layout.tiles().x), asked.culling ? 1.0f : 0.0f};
-  block.cover = {kLeastPixels / quality, kMostWidening, kLayers * std::sqrt(quality), kFadePixels / std::sqrt(quality)};
+  // At a low quality fewer layers rather than broad blades: the ground's shading stands for what is left out.
+  block.cover = {kLeastPixels / std::pow(quality, 0.45f), kMostWidening, kLayers * quality,
+                 kFadePixels / std::sqrt(quality)};
   const float coarser = asked.thinning ? 1.0f / std::sqrt(quality) : 0.0f;
   block.levels = {70.0f * coarser, 20.0f * coarser, closed, density * grass.width * grass.height};
   block.ground = {grass.slopeAlign, cosineOf(grass.slopeLimit), cosineOf(grass.slopeLimit - 15.0f), 0.0f};
