@@ -25,7 +25,7 @@ constexpr int kMaxFrames = 100'000;
 constexpr double kSlice = 0.25;  // s of simulated time between looks at Ctrl+C
 
 struct Options : CommonOptions {
-  std::string file, out, camera, grass, solver;
+  std::string file, out, camera, grass, deformation, solver;
   std::string size = "1280x720", resolution;
   std::vector<std::string> overlays;
   double time = 0, fps = 30, detail = 1;
@@ -66,6 +66,9 @@ Result<Project> projectOf(const Options& options) {
   GrassSettings grass = *project->grass;
   if (options.density) grass.density = static_cast<float>(*options.density);
   if (!options.grass.empty()) grass.kind = options.grass == "none" ? GrassKind::None : GrassKind::Instanced;
+  if (options.deformation == "arc") grass.deformation = Deformation::Arc;
+  if (options.deformation == "quadratic") grass.deformation = Deformation::Quadratic;
+  if (options.deformation == "inertial") grass.deformation = Deformation::Inertial;
   project->grass = std::make_shared<GrassSettings>(grass);
   return project;
 }
@@ -212,6 +215,10 @@ VerbAction makeRenderVerb(CLI::App& app) {
   addSolverOption(app, options->solver);
   app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, none")
       ->type_name("KIND");
+  app.add_option("--deformation", options->deformation,
+                 "How blades bend instead of the project's: arc, quadratic, inertial")
+      ->type_name("NAME")
+      ->check(CLI::IsMember({"arc", "quadratic", "inertial"}));
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
       ->check(CLI::Range(0.0, 5000.0));

@@ -29,6 +29,11 @@ PICTURES = [
     ("colliding-above-divergence", "colliding-winds", ["--camera", "above", "--time", "3", "--overlay", "divergence"]),
     ("hills-hero", "hills", ["--camera", "hero", "--time", "3"]),
     ("canyon-hero", "canyon", ["--camera", "hero", "--time", "2"]),
+    ("meadow-quadratic", "meadow", ["--camera", "hero", "--time", "3", "--deformation", "quadratic"]),
+    ("meadow-inertial", "meadow", ["--camera", "hero", "--time", "3", "--deformation", "inertial"]),
+    ("flowers-near", "flowers", ["--camera", "near", "--time", "2"]),
+    ("rolling-ball-hero", "rolling-ball", ["--camera", "hero", "--time", "3"]),
+    ("footsteps-hero", "footsteps", ["--camera", "hero", "--time", "3"]),
 ]
 
 

@@ -310,7 +310,11 @@ TEST_F(Plants, CutTheirTextureAtTheAlphaCutoff) {
     return picture();
   };
   const Picture opaque = shown(255), cut = shown(40);
-  m_project.species = std::make_shared<std::vector<Species>>();
+  setSpecies([&](Species& one) {
+    one.shape = PlantShape::Mesh;
+    one.mesh = tuft(255);
+    one.hidden = true;
+  });
   const Picture without = picture();
   EXPECT_EQ(difference(cut, without), 0.0f);
   EXPECT_GT(difference(opaque, without), 3.0f);
