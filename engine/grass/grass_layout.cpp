@@ -19,6 +19,8 @@ constexpr float kMinTileM = 1.0f, kMaxTileM = 8.0f;
 // pixel such blades neither shimmer nor show their widening.
 constexpr float kLeastPixels = 1.35f;
 constexpr float kMostWidening = 5.0f;
+// A low quality doesn't broaden blades beyond this.
+constexpr float kBroadestPixels = 5.2f;
 // Blades lower than this many pixels are left to the ground's shading.
 constexpr float kFadePixels = 2.2f;
 // Layers of blades along a ray beyond which more of them aren't seen.
@@ -163,8 +165,8 @@ GrassBlock makeGrassBlock(const GrassSettings& grass, std::span<const Species> s
   block.tileCentre = {0.0f, 0.0f, kMeadowMarginM, asked.thinning ? 0.0f : 1.0f};
   block.boundsRange = {glm::vec2(layout.low), static_cast<float>(layout.tiles().x), asked.culling ? 1.0f : 0.0f};
   // At a low quality fewer layers rather than broad blades: the ground's shading stands for what is left out.
-  block.cover = {kLeastPixels / std::pow(quality, 0.45f), kMostWidening, kLayers * quality,
-                 kFadePixels / std::sqrt(quality)};
+  const float least = std::min(kLeastPixels / std::pow(quality, 0.75f), kBroadestPixels);
+  block.cover = {least, kMostWidening, kLayers * quality, kFadePixels / std::sqrt(quality)};
   const float coarser = asked.thinning ? 1.0f / std::sqrt(quality) : 0.0f;
   block.levels = {70.0f * coarser, 20.0f * coarser, closed, density * grass.width * grass.height};
   block.ground = {grass.slopeAlign, cosineOf(grass.slopeLimit), cosineOf(grass.slopeLimit - 15.0f), 0.0f};

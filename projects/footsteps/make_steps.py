@@ -5,8 +5,10 @@ usage: make_steps.py [FILE.wind.json]
 """
 import math
 import pathlib
-import re
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+from collider_keys import put  # noqa: E402
 
 RADIUS = 3.0      # m, of the circle
 ASIDE = 0.10      # m from the circle to each foot
@@ -39,20 +41,6 @@ def keys(aside, phase):
     if phase > 0:  # the round ends within a stance
         made.append((float(STRIDES), *place(-phase, aside), 0.0))
     return [(time * STRIDE_S, x, height, z) for time, x, z, height in made]
-
-
-def number(value):
-    return f"{round(value, 4) + 0.0:.4f}".rstrip("0").rstrip(".")
-
-
-def put(text, name, made):
-    """The project's text with other keys for the collider of this name."""
-    wanted = re.compile(rf'("name": "{name}",[^{{}}]*?"keys": )\[\s*\[.*?\]\s*\]', re.S)
-    listed = ", ".join("[" + ", ".join(number(v) for v in key) + "]" for key in made)
-    text, found = wanted.subn(lambda match: f"{match.group(1)}[{listed}]", text)
-    if found != 1:
-        raise SystemExit(f"there is no collider '{name}' with keys")
-    return text
 
 
 def main():

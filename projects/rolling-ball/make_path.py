@@ -4,8 +4,10 @@ usage: make_path.py [FILE.wind.json]
 """
 import math
 import pathlib
-import re
 import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent))
+from collider_keys import put  # noqa: E402
 
 HALF_X, HALF_Z = 6.5, 3.4  # m: the eight reaches so far from its middle
 SPEED = 2.4                # m/s
@@ -26,20 +28,6 @@ def keys():
         if i % FINE == 0:
             made.append((way / SPEED, here[0], 0, here[1]))
     return made
-
-
-def number(value):
-    return f"{round(value, 4) + 0.0:.4f}".rstrip("0").rstrip(".")
-
-
-def put(text, name, made):
-    """The project's text with other keys for the collider of this name."""
-    wanted = re.compile(rf'("name": "{name}",[^{{}}]*?"keys": )\[\s*\[.*?\]\s*\]', re.S)
-    listed = ", ".join("[" + ", ".join(number(v) for v in key) + "]" for key in made)
-    text, found = wanted.subn(lambda match: f"{match.group(1)}[{listed}]", text)
-    if found != 1:
-        raise SystemExit(f"there is no collider '{name}' with keys")
-    return text
 
 
 def main():

@@ -28,11 +28,19 @@ out vec3 bladePlace;  // -1..1 across, 0..1 along, how clearly the midrib is see
 float taperAt(float s) { return 1.0 - 0.9 * s * s; }
 
 #if SEGMENTS > 1
-// Of the picture, at a place of its spine. `hidden`: part of the blades around it that it stands for.
+// Light at a place of its spine. `hidden`: part of the blades around it that it stands for.
 vec3 litAt(BladeLook look, Spine spine, float s, vec3 side, float edge, vec3 v, float hidden) {
   float seen = mix(s, 1.0 - seenDepth(v.y) * (1.0 - s), hidden);
   vec3 place = spine.position + vec3(0.0, (seen - s) * look.height, 0.0);
   return bladeLight(look, place, spine.tangent, seen, side, edge, v);
+}
+#endif
+
+#if SEGMENTS == 6 && !defined(QUICK)
+vec3 pictureAt(BladeLook look, vec3 root, Spine spine, float s, vec2 bend, vec2 facing, float edge, float hidden) {
+  vec3 place = root + spine.position;
+  vec3 v = directionToCamera(place);
+  return toPicture(throughAir(litAt(look, spine, s, bladeSide(bend, facing, v), edge, v, hidden), place));
 }
 #endif
 
@@ -106,17 +114,19 @@ void main() {
 #else
   vec2 shade = unpackHalf2x16(blade.shade);
   BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, 2.0 * foot.a, shade.x, shade.y, unpackUnorm4x8(blade.tint), normal, mapColour(root.xz));
-  vec3 lit = litAt(look, spine, s, side, edge, v, tip.a);
+  vec3 lit = toPicture(throughAir(litAt(look, spine, s, side, edge, v, tip.a), world));
 #if SEGMENTS == 6 && !defined(QUICK)
   if (between) {
     Spine low = Spine(planted(before.position, normal), planted(before.tangent, normal));
     Spine high = Spine(planted(after.position, normal), planted(after.tangent, normal));
-    vec3 ends = litAt(look, low, s - 1.0 / 6.0, side, edge, v, tip.a) + litAt(look, high, s + 1.0 / 6.0, side, row == 5 ? 0.0 : edge, v, tip.a);
-    lit = mix(lit, 0.5 * ends, coarser);
+    // Between its ends the coarser strip has the mean of what they show, not of their light.
+    vec3 below = pictureAt(look, root, low, s - 1.0 / 6.0, bend, facing, edge, tip.a);
+    vec3 above = pictureAt(look, root, high, s + 1.0 / 6.0, bend, facing, row == 5 ? 0.0 : edge, tip.a);
+    lit = mix(lit, 0.5 * (below + above), coarser);
   }
 #endif
   float clear = smoothstep(grass.levels.y, 2.0 * grass.levels.y, tall);
-  bladeColour = mix(afar, toPicture(throughAir(lit, world)), clear);
+  bladeColour = mix(afar, lit, clear);
   float rib = 0.0;
 #if SEGMENTS > 3
   rib = 1.0 - coarser;

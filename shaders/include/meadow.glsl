@@ -145,7 +145,7 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, vec3 ground, float sunlit) {
   vec3 albedo = laidAlbedo(bladeAlbedo(0u, height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
   // What neighbours take from each other besides, fitted to pictures of every blade (bench picture).
   float up = max(v.y, 0.0);
-  float fitted = (1.0 - 0.357 * sqrt(up) * (1.0 - 0.902 * up)) * (0.9 + 0.1 * smoothstep(0.0, 0.15, 1.0 - stem.y));
+  float fitted = (1.0 - 0.357 * sqrt(up) * (1.0 - 0.902 * up)) * (0.9 + 0.1 * smoothstep(0.0, 0.15, 1.0 - stem.y)) * (1.0 - 0.04 * smoothstep(0.0, 0.3, up));
   vec3 light = lightCanopy(albedo, stem, v, at) * fitted + contourLift(ground, v, sunlit * height);
   return mix(light, undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
 }
