@@ -82,7 +82,7 @@ void main() {
 #ifdef QUICK
   const float coarser = 0.0;
 #elif SEGMENTS == 6
-  float coarser = smoothstep(1.5 * grass.levels.x, grass.levels.x, tall);
+  float coarser = grass.tileCentre.w > 0.5 ? 0.0 : smoothstep(1.5 * grass.levels.x, grass.levels.x, tall);
   bool between = coarser > 0.0 && (row & 1) == 1;
   Spine before = spine, after = spine;
   if (between) {
