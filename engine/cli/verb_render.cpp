@@ -65,7 +65,9 @@ Result<Project> projectOf(const Options& options) {
   }
   GrassSettings grass = *project->grass;
   if (options.density) grass.density = static_cast<float>(*options.density);
-  if (!options.grass.empty()) grass.kind = options.grass == "none" ? GrassKind::None : GrassKind::Instanced;
+  if (options.grass == "none") grass.kind = GrassKind::None;
+  if (options.grass == "instanced") grass.kind = GrassKind::Instanced;
+  if (options.grass == "bezier") grass.kind = GrassKind::Bezier;
   if (options.deformation == "arc") grass.deformation = Deformation::Arc;
   if (options.deformation == "quadratic") grass.deformation = Deformation::Quadratic;
   if (options.deformation == "inertial") grass.deformation = Deformation::Inertial;
@@ -152,8 +154,9 @@ void report(const Options& options, const Studio& studio, const std::vector<std:
 }
 
 int render(const Options& options) {
-  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "none") {
-    return reportError(usage("--grass: found '" + options.grass + "', expected instanced or none"), options);
+  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "bezier" &&
+      options.grass != "none") {
+    return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier or none"), options);
   }
   const auto size = parsePair(options.size, kMaxSide);
   if (!size) return reportError(pairExpected("--size", options.size, kMaxSide, "pixels"), options);
@@ -213,7 +216,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, none")
+  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, bezier, none")
       ->type_name("KIND");
   app.add_option("--deformation", options->deformation,
                  "How blades bend instead of the project's: arc, quadratic, inertial")

@@ -83,6 +83,8 @@ class Editing {
   void operator()(const Put<Obstacle>& step) { list(m_obstacles, *m_project.obstacles).put(step.record); }
   void operator()(const Put<Species>& step) { list(m_species, *m_project.species).put(inStep(step.record)); }
   void operator()(const Put<Collider>& step) { list(m_colliders, *m_project.colliders).put(inStep(step.record)); }
+  void operator()(const Put<Surface>& step) { list(m_surfaces, *m_project.surfaces).put(inStep(step.record)); }
+  void operator()(const Put<Rotor>& step) { list(m_rotors, *m_project.rotors).put(step.record); }
   void operator()(const Put<Probe>& step) { list(m_probes, *m_project.probes).put(step.record); }
   void operator()(const Put<Camera>& step) { list(m_cameras, *m_project.cameras).put(step.record); }
   void operator()(const SetName& step) { m_project.name = step.name; }
@@ -102,6 +104,8 @@ class Editing {
     set(m_project.grass, grass);
   }
 
+  void operator()(const Set<BezierSettings>& step) { set(m_project.bezier, step.part); }
+
   void operator()(const EraseSignal& step) {
     erase(m_signals, m_project.graph->signals, [&](const Signal& signal) { return signal.root == step.root; });
   }
@@ -116,6 +120,8 @@ class Editing {
     erase(m_obstacles, *m_project.obstacles, named);
     erase(m_species, *m_project.species, named);
     erase(m_colliders, *m_project.colliders, named);
+    erase(m_surfaces, *m_project.surfaces, named);
+    erase(m_rotors, *m_project.rotors, named);
     erase(m_probes, *m_project.probes, named);
     erase(m_cameras, *m_project.cameras, named);
   }
@@ -134,6 +140,8 @@ class Editing {
     move(m_obstacles, *m_project.obstacles);
     move(m_species, *m_project.species);
     move(m_colliders, *m_project.colliders);
+    move(m_surfaces, *m_project.surfaces);
+    move(m_rotors, *m_project.rotors);
     move(m_probes, *m_project.probes);
     move(m_cameras, *m_project.cameras);
   }
@@ -150,6 +158,8 @@ class Editing {
     share(m_obstacles, m_project.obstacles);
     share(m_species, m_project.species);
     share(m_colliders, m_project.colliders);
+    share(m_surfaces, m_project.surfaces);
+    share(m_rotors, m_project.rotors);
     share(m_probes, m_project.probes);
     share(m_cameras, m_project.cameras);
     return std::move(m_project);
@@ -190,6 +200,8 @@ class Editing {
   List<Obstacle> m_obstacles;
   List<Species> m_species;
   List<Collider> m_colliders;
+  List<Surface> m_surfaces;
+  List<Rotor> m_rotors;
   List<Probe> m_probes;
   List<Camera> m_cameras;
 };
@@ -240,6 +252,8 @@ Edit moveEdit(const Project& project, std::span<const Id> ids, glm::vec2 delta) 
   move(project.graph->points, &Point::position);
   move(*project.obstacles, &Obstacle::centre);
   move(*project.colliders, &Collider::position);
+  move(*project.surfaces, &Surface::position);
+  move(*project.rotors, &Rotor::position);
   move(*project.probes, &Probe::position);
   return edit;
 }

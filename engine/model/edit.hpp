@@ -42,8 +42,9 @@ struct Set {
 };
 
 using EditStep = std::variant<Put<Point>, Put<Arrow>, Put<Signal>, Put<Obstacle>, Put<Species>, Put<Collider>,
-                              Put<Probe>, Put<Camera>, Erase, Reorder, EraseSignal, SetName, Set<FieldSettings>,
-                              Set<SolverSettings>, Set<AmbientWind>, Set<TerrainSettings>, Set<GrassSettings>>;
+                              Put<Surface>, Put<Rotor>, Put<Probe>, Put<Camera>, Erase, Reorder, EraseSignal, SetName, Set<FieldSettings>,
+                              Set<SolverSettings>, Set<AmbientWind>, Set<TerrainSettings>, Set<GrassSettings>,
+                              Set<BezierSettings>>;
 
 struct Edit {
   std::string label;            ///< for the history: "Move point"
@@ -58,7 +59,7 @@ Result<Project> applyEdit(const Project& project, const Edit& edit);
 
 // Pure helpers that build edits; ids that don't exist are ignored unless stated.
 
-/// Moves points, obstacles, colliders and probes by `delta` m.
+/// Moves points, obstacles, colliders, surfaces, rotors and probes by `delta` m.
 Edit moveEdit(const Project& project, std::span<const Id> ids, glm::vec2 delta);
 /// A new point at `position`, joined by a new arrow from `from` with the drive of `model` (ids of model are ignored).
 struct BranchResult {

@@ -21,11 +21,19 @@ bool operator==(const Collider& a, const Collider& b) {
   return values(a) == values(b);
 }
 
+bool operator==(const Surface& a, const Surface& b) {
+  const auto values = [](const Surface& s) {
+    return std::tie(s.id, s.name, s.shape, s.position, s.lift, s.size, s.rotation, s.tilt, s.file, s.scale, s.density,
+                    s.height, s.width, s.stiffness, s.bothSides, s.colour, s.hidden, s.locked, s.extra);
+  };
+  return values(a) == values(b);
+}
+
 bool Project::sameAs(const Project& other) const {
   return name == other.name && field == other.field && solver == other.solver && ambient == other.ambient &&
          graph == other.graph && obstacles == other.obstacles && terrain == other.terrain && grass == other.grass &&
-         species == other.species && colliders == other.colliders && probes == other.probes &&
-         cameras == other.cameras && extra == other.extra;
+         bezier == other.bezier && species == other.species && colliders == other.colliders &&
+         surfaces == other.surfaces && rotors == other.rotors && probes == other.probes && cameras == other.cameras && extra == other.extra;
 }
 
 Id nextFreeId(const Project& project) {
@@ -38,6 +46,8 @@ Id nextFreeId(const Project& project) {
   visit(*project.obstacles);
   visit(*project.species);
   visit(*project.colliders);
+  visit(*project.surfaces);
+  visit(*project.rotors);
   visit(*project.probes);
   visit(*project.cameras);
   return highest + 1;

@@ -122,7 +122,8 @@ struct TerrainSettings {
 
 enum class GrassKind {
   Instanced,
-  None,  ///< bare ground, to see the wind alone
+  Bezier,  ///< blades with a memory each, on ground and surfaces (BezierSettings)
+  None,    ///< bare ground, to see the wind alone
 };
 enum class Deformation {
   Arc,        ///< keeps the blade's length, never lies down (reference/cwd-sim section 3, `arc`)
@@ -167,6 +168,57 @@ struct GrassSettings {
 
   /// The pictures themselves; null where there is none. Never saved: engine/io reads them (loadAssets).
   std::shared_ptr<const GrassMap> densityPixels, heightPixels, colourPixels;
+};
+
+enum class BladeForm {
+  Quad,
+  Triangle,
+  Quadratic,    ///< narrows faster and faster
+  TriangleTip,  ///< a strip with a pointed tip
+};
+enum class BezierWind {
+  Field,  ///< the simulated wind
+  Waves,  ///< waves that run with the ambient wind, the paper's
+  Both,
+};
+
+/// What Bezier grass has beside GrassSettings, whose density, measures, stiffness, colours, slopes and maps hold for it
+/// as well (Jahrmann & Wimmer, "Responsive real-time grass rendering", 2017; reference/bezier-grass). Forces are given
+/// for a blade 1 m high and grow with the height, so that blades of any height bend alike.
+struct BezierSettings {
+  int most = 1'000'000;  ///< blades on the ground at most: a higher density is lowered, and the blades widened
+  // Placement.
+  float tufts = 0.35f;       ///< part of the blades that grow in tufts, 0..1
+  float tuftSpacing = 0.6f;  ///< m: least distance between tufts (Poisson disk)
+  float tuftRadius = 0.12f;  ///< m
+  // Shape.
+  BladeForm form = BladeForm::TriangleTip;
+  float tip = 0.5f;           ///< tau: where along the blade a pointed tip begins, 0..1; triangle-tip
+  float dandelions = 0.0f;    ///< part of the blades that are dandelions, 0..1
+  float fold = 0.5f;          ///< depth of the "v" cross-section over the paper's (eq. 23), 0..1
+  float widthLeast = 1.0f;    ///< pixels: w_min of eq. 24; narrower blades get the width of a quad
+  float widthSpan = 2.0f;     ///< pixels: w_span of eq. 24
+  // Forces.
+  float recovery = 4.0f;                     ///< 1/s: s of eq. 3 for stiffness 1
+  glm::vec3 gravityDirection{0.0f, -1.0f, 0.0f};  ///< D_xyz of eq. 4, any length but 0
+  float gravity = 0.6f;                      ///< m/s: D_w
+  glm::vec3 gravityCentre{0.0f};             ///< m in the world: C_xyz
+  float centreGravity = 0.6f;                ///< m/s: C_w
+  float centreBlend = 0.0f;                  ///< t: 0 along the direction, 1 towards the centre
+  float frontGravity = 0.25f;                ///< part of it that pulls to the front (eq. 5)
+  BezierWind wind = BezierWind::Field;
+  float windStrength = 0.3f;  ///< m/s of the tip for each m/s of wind
+  float waveLength = 14.0f;   ///< m; waves
+  float waveSpeed = 6.0f;     ///< m/s: how fast they run; waves
+  float waveStrength = 5.0f;  ///< m/s: their wind at the crest; waves
+  // Collision.
+  float collisionStrength = 2.0f;  ///< gained when what touches a blade moves its tip by its height (eq. 16)
+  float collisionFade = 0.6f;      ///< a, 1/s: strength lost (eq. 2)
+  // Culling, see FrameInput for switching the tests off.
+  float orientationLimit = 0.9f;  ///< eq. 17: blades seen more edge-on than this are left out, 0..1; 1: none
+  float reach = 120.0f;           ///< m: d_max of eq. 19, 20, where no blade is left
+  int distanceLevels = 8;         ///< n of eq. 19, 20
+  std::string extra;
 };
 
 enum class PlantShape {
@@ -232,6 +284,57 @@ struct Collider {
 };
 bool operator==(const Collider& a, const Collider& b);
 
+enum class SurfaceShape {
+  Moebius,  ///< a band with one twist; grows on all of its one side
+  Torus,
+  Sphere,
+  Hare,  ///< a sitting animal, closed
+  Mesh,  ///< a glTF file
+};
+
+/// A thing with grass all over it, upside down as well. Only Bezier grass grows on it; wind and other grass don't feel it.
+struct Surface {
+  Id id = 0;
+  std::string name;
+  SurfaceShape shape = SurfaceShape::Sphere;
+  glm::vec2 position{0.0f, 0.0f};  ///< m: of its origin
+  float lift = 0.0f;               ///< m between its lowest point and the ground
+  float size = 4.0f;               ///< m: longest side of a built-in shape
+  float rotation = 0.0f;           ///< deg from +X towards +Z
+  float tilt = 0.0f;               ///< deg about its own x axis, before the rotation
+  std::string file;                ///< of a mesh: glTF below the project's folder
+  float scale = 1.0f;              ///< of the mesh
+  float density = 1500.0f;         ///< blades per m^2
+  float height = 0.15f;            ///< m
+  float width = 0.006f;            ///< m
+  float stiffness = 1.0f;          ///< as GrassSettings
+  bool bothSides = false;          ///< grows on the backs of the triangles, too
+  glm::vec3 colour{0.10f, 0.07f, 0.035f};  ///< between the blades, linear RGB
+  bool hidden = false, locked = false;
+  std::string extra;
+
+  /// Null until read (engine/io) and for built-in shapes. Never saved, not compared.
+  std::shared_ptr<const PlantMesh> mesh;
+};
+bool operator==(const Surface& a, const Surface& b);
+
+/// Air that a rotor above blows down and away from under it, in rings: wind that the flat field can't hold, since it has
+/// a source. All grass feels it; it is no part of the simulated field and of exports.
+struct Rotor {
+  Id id = 0;
+  std::string name;
+  glm::vec2 position{0.0f, 0.0f};  ///< m
+  float lift = 8.0f;               ///< m over the ground
+  float radius = 5.0f;             ///< m, of the rotor
+  float speed = 16.0f;             ///< m/s: of the air that it throws down
+  float rings = 0.6f;              ///< strength of the rings that run outwards, part of the speed, 0..1
+  float rate = 0.8f;               ///< rings per second
+  bool hidden = false, muted = false, locked = false;
+  std::string extra;
+
+  bool operator==(const Rotor&) const = default;
+};
+
 /// Blades per m^2 that are drawn: the density, or 0 where there is no grass.
 inline float shownDensity(const GrassSettings& grass) {
   return grass.kind == GrassKind::None ? 0.0f : grass.density;
@@ -254,8 +357,11 @@ struct Project {
   Shared<std::vector<Obstacle>> obstacles = std::make_shared<std::vector<Obstacle>>();
   Shared<TerrainSettings> terrain = std::make_shared<TerrainSettings>();
   Shared<GrassSettings> grass = std::make_shared<GrassSettings>();
+  Shared<BezierSettings> bezier = std::make_shared<BezierSettings>();
   Shared<std::vector<Species>> species = std::make_shared<std::vector<Species>>();
   Shared<std::vector<Collider>> colliders = std::make_shared<std::vector<Collider>>();
+  Shared<std::vector<Surface>> surfaces = std::make_shared<std::vector<Surface>>();
+  Shared<std::vector<Rotor>> rotors = std::make_shared<std::vector<Rotor>>();
   Shared<std::vector<Probe>> probes = std::make_shared<std::vector<Probe>>();
   Shared<std::vector<Camera>> cameras = std::make_shared<std::vector<Camera>>();
   Shared<std::string> extra = std::make_shared<std::string>();  ///< unknown top-level keys, JSON object text
@@ -264,7 +370,8 @@ struct Project {
   [[nodiscard]] bool sameAs(const Project& other) const;
 };
 
-/// Ids are unique over points, arrows, obstacles, species, colliders, probes and cameras of one project; 0 is no id.
+/// Ids are unique over points, arrows, obstacles, species, colliders, surfaces, rotors, probes and
+/// cameras of one project; 0 is no id.
 /// The lowest id above every one in use.
 Id nextFreeId(const Project& project);
 

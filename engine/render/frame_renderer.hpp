@@ -9,6 +9,7 @@
 
 #include "engine/core/grid_mapping.hpp"
 #include "engine/core/result.hpp"
+#include "engine/grass/bezier_view.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/project.hpp"
 #include "engine/render/overlay_settings.hpp"
@@ -39,6 +40,7 @@ struct FrameQuality {
   bool thinning = true;  ///< false: every blade is drawn in full, however small, to compare pictures with
   bool culling = true;   ///< false: blades out of sight are drawn, too, to compare times with
   bool still = false;    ///< nothing moves: ground, maps and edges as fine as they can be, though it takes longer
+  int samples = 0;       ///< a pixel: 1, 2, 4 or 8; 0: as many as fit the machine and the detail
 };
 
 struct FrameInput {
@@ -53,11 +55,14 @@ struct FrameInput {
   Overlays overlays;
   Highlight highlight;
   FrameQuality quality;
+  GrassView grassView = GrassView::Normal;  ///< Bezier grass only
+  BezierCulling bezierCulling;
 };
 
 struct FrameStats {
   long long bladesTotal = 0;  ///< that the project asks for
   long long bladesDrawn = 0;  ///< of a recent finished frame
+  BezierCounts bezier;        ///< all 0 with other grass
   double gpuMs = 0;           ///< of a recent finished frame; 0 until known
   std::vector<std::pair<std::string, double>> passMs;
 };

@@ -96,6 +96,8 @@ class Session {
     Overlays overlays;
     Highlight highlight;
     FrameQuality quality;
+    GrassView grassView = GrassView::Normal;
+    BezierCulling bezierCulling;
   };
   virtual void draw(const View& view) = 0;
 
