@@ -8,6 +8,7 @@
 #include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/grass/plant_pass.hpp"
+#include "engine/grass/rotors.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
@@ -40,6 +41,7 @@ struct Parts {
   ColliderPass colliders;
   Occluders occluders;
   OverlayPass overlays;
+  Rotors rotors;
   gpu::Texture noise;
   gpu::Buffer frame;
 };
@@ -65,13 +67,16 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!overlays) return overlays.error();
   Result<Occluders> occluders = Occluders::create(shaders, kOccluderSize);
   if (!occluders) return occluders.error();
+  Result<Rotors> rotors = Rotors::create();
+  if (!rotors) return rotors.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
   return Parts{std::move(*grass),     std::move(*maps),     std::move(*plants), std::move(*dynamics),
                std::move(*backdrop),  std::move(*ground),   std::move(*solids), std::move(*colliders),
-               std::move(*occluders), std::move(*overlays), std::move(*noise),  std::move(*frame)};
+               std::move(*occluders), std::move(*overlays), std::move(*rotors), std::move(*noise),
+               std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -208,6 +213,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
     m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection);
+    m_parts.rotors.bind(*project.rotors, input.time);
     m_parts.backdrop.bakeSky();
     // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
