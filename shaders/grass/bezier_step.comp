@@ -47,8 +47,7 @@ struct Blade {
   vec3 root;
   float height;
   BezierForces forces;
-  vec3 direction;
-  float strength;  // eta
+  BezierMotion motion;
 };
 
 Blade bladeAt(uint index, bool fromRest) {
@@ -64,38 +63,31 @@ Blade bladeAt(uint index, bool fromRest) {
   blade.forces.wind = bezierWind(blade.root, up) * physics.motion.y;
   blade.forces.recovery = physics.motion.x * unpackHalf2x16(second.y).x;
   vec4 state = fromRest ? vec4(up, 0.0) : states[index].tip;
-  blade.direction = bezierDirection(state.xyz, up, blade.forces.front);
-  blade.strength = state.w;
+  blade.motion = BezierMotion(bezierDirection(state.xyz, up, blade.forces.front), state.w);
   return blade;
-}
-
-void swing(inout Blade blade, float seconds) {
-  float fade = physics.motion.w;
-  blade.direction = bezierSwung(blade.forces, blade.direction, bezierFaded(blade.strength, fade, 0.5 * seconds), seconds);
-  blade.strength = bezierFaded(blade.strength, fade, seconds);
 }
 
 // Out of all that is near, one after the other, as it is at this part of the step.
 void touch(inout Blade blade, float part, float seconds) {
   float gained = 0.0;
-  BezierCurve curve = bezierCurveOf(blade.direction, blade.forces.up, blade.height);
+  BezierCurve curve = bezierCurveOf(blade.motion.direction, blade.forces.up, blade.height);
   for (uint word = 0u; word * 32u < moverCount; ++word) {
     for (uint bits = nearby[word]; bits != 0u; bits &= bits - 1u) {
       ColliderPrimitive primitive = bezierMoverAt(movers[word * 32u + uint(findLSB(bits))], part);
       vec3 moved = bezierHit(primitive, blade.root, curve);
       if (moved == vec3(0.0)) continue;
       gained += bezierGain(moved, blade.height, physics.motion.z, seconds);
-      blade.direction = bezierDirection(curve.tip + moved, blade.forces.up, blade.forces.front);
-      curve = bezierCurveOf(blade.direction, blade.forces.up, blade.height);
+      blade.motion.direction = bezierDirection(curve.tip + moved, blade.forces.up, blade.forces.front);
+      curve = bezierCurveOf(blade.motion.direction, blade.forces.up, blade.height);
     }
   }
-  blade.strength = min(blade.strength + gained, BEZIER_STRENGTH_MOST);
+  blade.motion.strength = min(blade.motion.strength + gained, BEZIER_STRENGTH_MOST);
 }
 
 void wakeUp(inout Blade blade, float asleep) {
   float part = bezierWakePart(asleep, blade.forces.wind);
-  blade.strength = bezierFaded(blade.strength, physics.motion.w, asleep - part * BEZIER_WAKE_PARTS);
-  for (float i = 0.0; i < BEZIER_WAKE_PARTS; ++i) swing(blade, part);
+  blade.motion.strength = bezierFaded(blade.motion.strength, physics.motion.w, asleep - part * BEZIER_WAKE_PARTS);
+  for (float i = 0.0; i < BEZIER_WAKE_PARTS; ++i) blade.motion = bezierSwing(blade.forces, blade.motion, physics.motion.w, part);
 }
 
 void main() {
@@ -116,10 +108,10 @@ void main() {
     if (work.touched != 0u) parts = max(parts, touchParts);
     float seconds = stepSeconds / parts;
     for (float i = 1.0; i <= parts; ++i) {
-      swing(blade, seconds);
+      blade.motion = bezierSwing(blade.forces, blade.motion, physics.motion.w, seconds);
       if (work.touched != 0u) touch(blade, i / parts, seconds);
     }
   }
-  float reach = blade.height * bezierReach(blade.direction, blade.forces.up);
-  states[index].tip = vec4(blade.direction * reach, blade.strength);
+  float reach = blade.height * bezierReach(blade.motion.direction, blade.forces.up);
+  states[index].tip = vec4(blade.motion.direction * reach, blade.motion.strength);
 }

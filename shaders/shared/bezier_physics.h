@@ -18,7 +18,6 @@
 WL_SHARED_BEGIN
 #ifdef __cplusplus
 using std::ceil;
-using std::cos;
 using std::exp;
 using std::sqrt;
 #endif
@@ -146,6 +145,20 @@ WL_FUNCTION vec3 bezierSwung(BezierForces forces, vec3 direction, float strength
   halfway = bezierRaised(halfway, forces.up, forces.front);
   vec3 after = bezierTurned(direction, bezierPull(forces, halfway, strength), seconds / bezierReach(halfway, forces.up));
   return bezierRaised(after, forces.up, forces.front);
+}
+
+/// What of a blade changes.
+struct BezierMotion {
+  vec3 direction;  // unit vector to its tip
+  float strength;  // eta
+};
+
+/// The same with the strength of collisions fading at `fade`.
+WL_FUNCTION BezierMotion bezierSwing(BezierForces forces, BezierMotion motion, float fade, float seconds) {
+  BezierMotion after;
+  after.direction = bezierSwung(forces, motion.direction, bezierFaded(motion.strength, fade, 0.5f * seconds), seconds);
+  after.strength = bezierFaded(motion.strength, fade, seconds);
+  return after;
 }
 
 /// In how many parts a step is done, 1..BEZIER_PARTS_MOST; strong wind asks for shorter ones.
