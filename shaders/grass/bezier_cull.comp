@@ -26,6 +26,7 @@ layout(std430, binding = RENDER_SSBO_BEZIER_LIST) writeonly buffer Lists { uint 
 layout(std430, binding = RENDER_SSBO_BEZIER_DRAWN) writeonly buffer Drawn { BezierDrawn drawn[]; };
 layout(binding = RENDER_TEXTURE_NEAR_DEPTH) uniform sampler2D nearDepth;
 uniform uint round;  // 0: the patches that are drawn first, 1: the others
+uniform uint hides;  // 1: what is drawn already hides blades (nearDepth)
 
 shared uint groupCounts[8];
 shared uint listCounts[BEZIER_LISTS];
@@ -81,7 +82,7 @@ bool occluded(Standing s) {
   vec3 low = min(min(s.root, s.root + s.curve.middle), tip);
   vec3 high = max(max(s.root, s.root + s.curve.middle), tip);
   if (isOccluded(0.5 * (low + high), 0.5 * (high - low))) return true;
-  if (round == 0u || bezier.view.z < 0.5) return false;
+  if (hides == 0u) return false;
   return hiddenAt(tip) && hiddenAt(s.root + s.middle) && hiddenAt(s.root + bezierPoint(s.curve, 0.8));
 }
 

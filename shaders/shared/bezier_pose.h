@@ -10,6 +10,8 @@ using glm::dot;
 using glm::length;
 using glm::normalize;
 using std::abs;
+using std::cos;
+using std::sin;
 using std::max;
 using std::min;
 #endif
