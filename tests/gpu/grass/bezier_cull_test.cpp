@@ -123,7 +123,7 @@ class BezierCullGpu : public GpuTest {
         const glm::vec3 root(blade.x, blade.y, blade.z), up = octahedralVector(glm::unpackSnorm2x16(blade.up));
         const glm::vec2 sizes = glm::unpackHalf2x16(blade.sizes);
         const BezierCurve curve = bezierValid(up * sizes.x, up, sizes.x);
-        const glm::vec3 across = bezierAcross(up, static_cast<float>(blade.growth >> 16u) / 65536.0f);
+        const glm::vec3 across = bezierAcross(up, static_cast<float>(blade.growth >> 16u) / 65535.0f);
         const float kept = keptAtDistance(distanceOverGround(root, up, eye()), 30.0f, sizes.y * pixelsAt(root), 0.55f);
         const float rank = (static_cast<float>(lane) + 0.5f) / 256.0f;
         if (tests.orientation && seenFromSide(across, glm::normalize(root - eye()), 0.9f) <= 0.0f) {
