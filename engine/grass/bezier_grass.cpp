@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <atomic>
+#include <chrono>
+#include <cmath>
 #include <cstring>
 #include <future>
 #include <string>
+#include <tuple>
 
 #include "engine/gpu/debug_group.hpp"
 #include "engine/grass/grass_programs.hpp"
@@ -107,7 +110,7 @@ BezierBlock makeBlock(const Project& project, const BezierFrame& frame, std::uin
                      : frame.view == GrassView::Culled   ? BEZIER_VIEW_CULLED
                      : frame.view == GrassView::Strength ? BEZIER_VIEW_STRENGTH
                                                          : BEZIER_VIEW_NORMAL;
-  block.view = {view, static_cast<float>(room), runs(frame.tests.occlusion), frame.quick ? 1.0f : 0.0f};
+  block.view = {view, static_cast<float>(room), 0.0f, 0.0f};
   return block;
 }
 
@@ -297,36 +300,41 @@ bool BezierGrass::reduceDepth(const gpu::Texture& depth) {
   return true;
 }
 
-void BezierGrass::cull(Round round) {
+void BezierGrass::cull(Round round, const gpu::Texture& depth) {
+  if (m_patchCount == 0) return;
+  const gpu::DebugGroup group(round == Round::First ? "bezier: cull first" : "bezier: cull rest");
+  m_commands.bindStorage(RENDER_SSBO_BEZIER_COMMANDS);
+  if (round == Round::Rest) {
+    m_nextRound->use();
+    m_nextRound->dispatch(1);
+    m_hides = reduceDepth(depth);
+    m_nearDepth.bind(RENDER_TEXTURE_NEAR_DEPTH);
+  }
+  // It reads patches of bezier_patches, states of the physics, and in the second round the depth just reduced.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
   m_blades.bindStorage(RENDER_SSBO_BEZIER_BLADES);
   m_states.bindStorage(RENDER_SSBO_BEZIER_STATES);
   m_patches.bindStorage(RENDER_SSBO_BEZIER_PATCHES);
   m_seen.bindStorage(RENDER_SSBO_BEZIER_SEEN);
   m_lists.bindStorage(RENDER_SSBO_BEZIER_LIST);
-  m_commands.bindStorage(RENDER_SSBO_BEZIER_COMMANDS);
   m_drawn.bindStorage(RENDER_SSBO_BEZIER_DRAWN);
   m_cull->use();
+  m_cull->set("hides", round == Round::Rest && m_hides ? 1u : 0u);
   m_cull->set("round", round == Round::First ? 0u : 1u);
-  const std::size_t groups = round == Round::First ? offsetof(BezierCommands, groupsNear) : offsetof(BezierCommands, groupsFar);
+  const std::size_t groups =
+      round == Round::First ? offsetof(BezierCommands, groupsNear) : offsetof(BezierCommands, groupsFar);
   m_cull->dispatchIndirect(m_commands, groups);
 }
 
-void BezierGrass::draw(Round round, const gpu::PassState& state, const gpu::Texture& depth) {
+void BezierGrass::draw(Round round, const gpu::PassState& state) {
   if (m_patchCount == 0) return;
-  const gpu::DebugGroup group(round == Round::First ? "bezier: first" : "bezier: rest");
-  if (round == Round::Rest) {
-    m_commands.bindStorage(RENDER_SSBO_BEZIER_COMMANDS);
-    m_nextRound->use();
-    m_nextRound->dispatch(1);
-    if (!reduceDepth(depth)) return;
-    m_nearDepth.bind(RENDER_TEXTURE_NEAR_DEPTH);
-  }
-  // The culling reads patches of bezier_patches, states of the physics, and in the second round the depth just reduced.
-  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT | GL_TEXTURE_FETCH_BARRIER_BIT);
-  cull(round);
+  const gpu::DebugGroup group(round == Round::First ? "bezier: draw first" : "bezier: draw rest");
   // The draws read records, lists and counts of the culling.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   gpu::apply(state);
+  m_lists.bindStorage(RENDER_SSBO_BEZIER_LIST);
+  m_drawn.bindStorage(RENDER_SSBO_BEZIER_DRAWN);
+  m_commands.bindStorage(RENDER_SSBO_BEZIER_COMMANDS);
   if (m_wireframe) glPolygonMode(GL_FRONT_AND_BACK, GL_LINE);
   glBindBuffer(GL_DRAW_INDIRECT_BUFFER, m_commands.name());
   for (std::size_t list = 0; list < BEZIER_LISTS; ++list) {

@@ -58,9 +58,12 @@ class BezierGrass {
   [[nodiscard]] int generation() const { return m_generation; }
 
   enum class Round { First, Rest };
-  /// Culls and draws into the target of `state`. Wind, noise, ground, solid and occluder textures, colliders and maps must be
-  /// bound (render_bindings.h). `Rest` is tested against `depth`, the depth of that target (multisampled or not).
-  void draw(Round round, const gpu::PassState& state, const gpu::Texture& depth);
+  /// Tests the blades of a round and makes those that pass ready. Wind, noise, ground, solid and occluder textures,
+  /// colliders and maps must be bound (render_bindings.h). `Rest` is tested against `depth`, that of the target in which
+  /// the first round was drawn, multisampled or not.
+  void cull(Round round, const gpu::Texture& depth);
+  /// Draws what cull() found into the target of `state`.
+  void draw(Round round, const gpu::PassState& state);
 
   /// Of a recent finished frame.
   const BezierCounts& counts();
@@ -78,7 +81,6 @@ class BezierGrass {
   Status makePrograms();
   Status makeStrips();
   bool reduceDepth(const gpu::Texture& depth);
-  void cull(Round round);
 
   std::shared_ptr<Job> m_job;  // being placed; null: none
   Project m_placed;            // what the blades in the store grow on
@@ -92,7 +94,7 @@ class BezierGrass {
   std::uint32_t m_patchCount = 0, m_room = 0, m_kept = BEZIER_PATCH;
   long long m_bladeCount = 0;
   int m_generation = 0;
-  bool m_plain = false, m_wireframe = false;
+  bool m_plain = false, m_wireframe = false, m_hides = false;
   BezierCounts m_counts;
 };
 

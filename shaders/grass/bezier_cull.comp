@@ -26,6 +26,7 @@ layout(std430, binding = RENDER_SSBO_BEZIER_LIST) writeonly buffer Lists { uint 
 layout(std430, binding = RENDER_SSBO_BEZIER_DRAWN) writeonly buffer Drawn { BezierDrawn drawn[]; };
 layout(binding = RENDER_TEXTURE_NEAR_DEPTH) uniform sampler2D nearDepth;
 uniform uint round;  // 0: the patches that are drawn first, 1: the others
+uniform uint hides;  // 1: what is drawn already hides blades (nearDepth)
 
 shared uint groupCounts[8];
 shared uint listCounts[BEZIER_LISTS];
@@ -51,7 +52,7 @@ Standing standingOf(BezierBlade blade, BezierState state) {
   s.root = vec3(blade.x, blade.y, blade.z);
   s.up = octahedralVector(unpackSnorm2x16(blade.up));
   s.sizes = unpackHalf2x16(blade.sizes);
-  s.across = bezierAcross(s.up, float(blade.growth >> 16u) / 65536.0);
+  s.across = bezierAcross(s.up, float(blade.growth >> 16u) / 65535.0);
   s.curve = bezierValid(state.tip.xyz, s.up, s.sizes.x);
   s.middle = bezierPoint(s.curve, 0.5);
   return s;
@@ -81,7 +82,7 @@ bool occluded(Standing s) {
   vec3 low = min(min(s.root, s.root + s.curve.middle), tip);
   vec3 high = max(max(s.root, s.root + s.curve.middle), tip);
   if (isOccluded(0.5 * (low + high), 0.5 * (high - low))) return true;
-  if (round == 0u || bezier.view.z < 0.5) return false;
+  if (hides == 0u) return false;
   return hiddenAt(tip) && hiddenAt(s.root + s.middle) && hiddenAt(s.root + bezierPoint(s.curve, 0.8));
 }
 

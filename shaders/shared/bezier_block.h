@@ -34,7 +34,7 @@ struct BezierBlock {
   vec4 tests;    // 1 where the test runs: orientation, frustum, distance, occlusion
   vec4 patches;  // x patches; y blades of each that are shown; z widening for those that are not; w 1: only patches in sight
   vec4 levels;   // x, y, z blade heights in pixels from which lists 0, 1, 2 are drawn; w from which a patch is drawn first
-  vec4 view;     // x BEZIER_VIEW_*; y records that fit; z 1: what is drawn first hides the rest; w 1: simple light
+  vec4 view;     // x BEZIER_VIEW_*; y records that fit; z, w unused
 };
 
 /// A blade ready to be drawn.
