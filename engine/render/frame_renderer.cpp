@@ -321,6 +321,7 @@ class FrameRendererImpl final : public FrameRenderer {
     FrameStats stats;
     if (m_grass && m_grass->kind == GrassKind::Bezier) {
       stats.bezier = m_parts.bezier.counts();
+      stats.complete = !m_parts.bezier.placing();
       stats.bladesTotal = stats.bezier.blades;
       stats.bladesDrawn = stats.bezier.drawn;
     } else {

@@ -64,6 +64,7 @@ struct FrameStats {
   long long bladesTotal = 0;  ///< that the project asks for
   long long bladesDrawn = 0;  ///< of a recent finished frame
   BezierCounts bezier;        ///< all 0 with other grass
+  bool complete = true;       ///< false: grass is still being placed beside the frame
   double gpuMs = 0;           ///< of a recent finished frame; 0 until known
   std::vector<std::pair<std::string, double>> passMs;
 };

@@ -8,7 +8,7 @@
 
 #include "engine/core/log.hpp"
 #include "engine/gpu/texture.hpp"
-#include "engine/render/touch_clock.hpp"
+#include "engine/grass/touch_clock.hpp"
 #include "engine/session/live_grid.hpp"
 #include "engine/session/wind_readout.hpp"
 #include "engine/session/wind_watch.hpp"

@@ -46,7 +46,7 @@ void main() {
   vec2 sizes = unpackHalf2x16(blade.sizes);
   vec2 curve = unpackHalf2x16(blade.curve);
   vec3 up = octahedralVector(unpackSnorm2x16(blade.up));
-  vec3 across = bezierAcross(up, float(blade.growth >> 16u) / 65536.0);
+  vec3 across = bezierAcross(up, float(blade.growth >> 16u) / 65535.0);
   vec3 middle = up * curve.y;
   vec3 tip = vec3(unpackHalf2x16(blade.tip), curve.x);
   vec3 root = vec3(blade.x, blade.y, blade.z);

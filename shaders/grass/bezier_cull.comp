@@ -52,7 +52,7 @@ Standing standingOf(BezierBlade blade, BezierState state) {
   s.root = vec3(blade.x, blade.y, blade.z);
   s.up = octahedralVector(unpackSnorm2x16(blade.up));
   s.sizes = unpackHalf2x16(blade.sizes);
-  s.across = bezierAcross(s.up, float(blade.growth >> 16u) / 65536.0);
+  s.across = bezierAcross(s.up, float(blade.growth >> 16u) / 65535.0);
   s.curve = bezierValid(state.tip.xyz, s.up, s.sizes.x);
   s.middle = bezierPoint(s.curve, 0.5);
   return s;

@@ -63,6 +63,8 @@
 #define RENDER_SSBO_BEZIER_LIST 5
 #define RENDER_SSBO_BEZIER_COMMANDS 6
 #define RENDER_SSBO_BEZIER_PRIMITIVES 7
+// What wakes patches has no blades.
+#define RENDER_SSBO_BEZIER_CLOCKS 0
 #define RENDER_SSBO_BEZIER_DRAWN 7
 
 // Images.

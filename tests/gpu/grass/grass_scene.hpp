@@ -90,12 +90,12 @@ class GrassScene {
     FrameInput input;
     input.project = &m_project;
     input.time = time;
-    input.size = {64, 64};
-    input.camera.position = {0.0f, 3.0f, 10.0f};
+    input.size = size;
+    input.camera = camera;
     if (m_wind.name() != 0) {
       input.wind = {m_wind.name(), makeGridMapping(field.centre, field.size, field.resolution)};
     }
-    const FrameBlock frame = makeFrameBlock(input, defaultLight());
+    frame = makeFrameBlock(input, defaultLight());
     m_frame.write(&frame, sizeof frame);
     m_frame.bindUniform(RENDER_UBO_FRAME);
     const GrassBlock block = makeGrassBlock(grass, {}, layout(), {}, frame);
@@ -115,6 +115,13 @@ class GrassScene {
   AmbientWind ambient;
   std::shared_ptr<const HeightField> heights;
   std::vector<Rotor> rotors;
+  ViewCamera camera = [] {
+    ViewCamera at;
+    at.position = {0.0f, 3.0f, 10.0f};
+    return at;
+  }();
+  glm::ivec2 size{64, 64};
+  FrameBlock frame{};  ///< of the last bindFrame()
 
  private:
   Project m_project;
