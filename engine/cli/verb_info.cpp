@@ -28,8 +28,9 @@ Sizes sizesOf(const Project& project, double fps) {
   const std::int64_t cells = std::int64_t{project.field->resolution.x} * project.field->resolution.y;
   const double area = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
   const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
-  return {cells, static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass))),
-          cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
+  auto blades = static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass)));
+  if (project.grass->kind == GrassKind::Bezier) blades = std::min<std::int64_t>(blades, project.bezier->most);
+  return {cells, blades, cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
 }
 
 std::string_view signalName(const Project& project, Id root) {
@@ -42,8 +43,19 @@ std::string_view signalName(const Project& project, Id root) {
   return {};
 }
 
-std::string label(const Point& point) {
-  return std::to_string(point.id) + (point.name.empty() ? "" : " (" + point.name + ")");
+template <class Record>
+std::string label(const Record& record) {
+  return std::to_string(record.id) + (record.name.empty() ? "" : " (" + record.name + ")");
+}
+
+/// The name of the value of a choice.
+template <class Owner>
+std::string_view choiceName(const Owner& owner, std::string_view key) {
+  for (const Parameter<Owner>& parameter : parametersOf<Owner>()) {
+    if (parameter.info.key == key)
+      return parameter.info.choices[static_cast<std::size_t>(std::get<int>(parameter.get(owner)))];
+  }
+  return {};
 }
 
 struct Extent {
@@ -71,10 +83,33 @@ Json vectorJson(glm::vec2 v) {
 }
 
 std::string_view terrainName(const TerrainSettings& terrain) {
-  for (const Parameter<TerrainSettings>& parameter : parametersOf<TerrainSettings>()) {
-    if (parameter.info.key == "kind") return parameter.info.choices[static_cast<std::size_t>(terrain.kind)];
+  return choiceName(terrain, "kind");
+}
+
+Json surfaceJson(const Surface& surface) {
+  Json output{{"id", surface.id}, {"shape", choiceName(surface, "shape")}};
+  if (surface.shape != SurfaceShape::Mesh) output["size"] = jsonNumber(surface.size);
+  if (surface.shape == SurfaceShape::Mesh) output["file"] = surface.file;
+  if (surface.mesh) output["triangles"] = surface.mesh->indices.size() / 3;
+  output["density"] = jsonNumber(surface.density);
+  return output;
+}
+
+void printSurfaces(const std::vector<Surface>& surfaces) {
+  for (const Surface& surface : surfaces) {
+    std::string what = std::string(choiceName(surface, "shape"));
+    what += surface.shape == SurfaceShape::Mesh ? " " + surface.file : " of " + metres(surface.size) + " m";
+    if (surface.mesh) what += ", " + std::to_string(surface.mesh->indices.size() / 3) + " triangles";
+    std::printf("surface    %s: %s, %s blades per m^2\n", label(surface).c_str(), what.c_str(),
+                metres(surface.density).c_str());
   }
-  return {};
+}
+
+void printRotors(const std::vector<Rotor>& rotors) {
+  for (const Rotor& rotor : rotors) {
+    std::printf("rotor      %s: %s m over the ground, throws air down at %s m/s\n", label(rotor).c_str(),
+                metres(rotor.lift).c_str(), metres(rotor.speed).c_str());
+  }
 }
 
 Json terrainJson(const TerrainSettings& terrain) {
@@ -134,6 +169,8 @@ void printInfoJson(const Options& options, const Project& project, const std::ve
                       {"obstacles", project.obstacles->size()},
                       {"species", project.species->size()},
                       {"colliders", project.colliders->size()},
+                      {"surfaces", project.surfaces->size()},
+                      {"rotors", project.rotors->size()},
                       {"probes", project.probes->size()},
                       {"cameras", project.cameras->size()},
                       {"cells", sizes.cells},
@@ -142,6 +179,9 @@ void printInfoJson(const Options& options, const Project& project, const std::ve
     const Extent extent = extentOf(project.graph->points);
     output["extent"] = {{"min", vectorJson(extent.min)}, {"max", vectorJson(extent.max)}};
   }
+  output["grass"] = choiceName(*project.grass, "kind");
+  output["surfaces"] = Json::array();
+  for (const Surface& surface : *project.surfaces) output["surfaces"].push_back(surfaceJson(surface));
   output["roots"] = Json::array();
   for (const Id root : roots) output["roots"].push_back({{"id", root}, {"signal", signalName(project, root)}});
   output["arrivals"] = Json::array();
@@ -192,13 +232,17 @@ void printInfoText(const Options& options, const Project& project, const std::ve
     std::printf("extent     x %s to %s m, z %s to %s m\n", metres(extent.min.x).c_str(), metres(extent.max.x).c_str(),
                 metres(extent.min.y).c_str(), metres(extent.max.y).c_str());
   }
-  std::printf("others     %zu obstacles, %zu species, %zu colliders, %zu probes, %zu cameras\n",
-              project.obstacles->size(), project.species->size(), project.colliders->size(), project.probes->size(),
-              project.cameras->size());
+  std::printf(
+      "others     %zu obstacles, %zu species, %zu colliders, %zu surfaces, %zu rotors, %zu probes, %zu cameras\n",
+      project.obstacles->size(), project.species->size(), project.colliders->size(), project.surfaces->size(),
+      project.rotors->size(), project.probes->size(), project.cameras->size());
   std::printf("ambient    %s m/s towards %s deg\n", metres(project.ambient->speed).c_str(),
               metres(project.ambient->direction).c_str());
   printTerrain(*project.terrain);
-  std::printf("grass      %s blades\n", std::to_string(sizes.blades).c_str());
+  std::printf("grass      %s, %s blades\n", std::string(choiceName(*project.grass, "kind")).c_str(),
+              std::to_string(sizes.blades).c_str());
+  printSurfaces(*project.surfaces);
+  printRotors(*project.rotors);
   for (const Id root : roots) {
     std::printf("root       %s plays %s\n", label(*findPoint(*project.graph, root)).c_str(),
                 std::string(signalName(project, root)).c_str());

@@ -124,14 +124,14 @@ Status InstancedGrass::makeRoomFor(const GrassBlock& block, const GrassQuality& 
 
 Status InstancedGrass::bindSettings(const GrassSettings& grass, std::span<const Species> species,
                                     const GrassQuality& quality, const shared::FrameBlock& frame, int occluderLevels,
-                                    Chains chains) {
+                                    Chains chains, Blades blades) {
   GrassBlock block = makeGrassBlock(grass, species, m_layout, quality, frame);
   block.limits.y = chains == Chains::Some ? 1.0f : 0.0f;
   block.limits.z = occluderLevels > 0 ? 1.0f : 0.0f;
   block.limits.w = static_cast<float>(occluderLevels);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_GRASS);
-  m_tiles = tilesInRings(block);
+  m_tiles = blades == Blades::Drawn ? tilesInRings(block) : 0;
   m_chained = chains == Chains::Some;
   m_quick = quality.quick && !m_chained;
   if (m_tiles == 0) return Done{};

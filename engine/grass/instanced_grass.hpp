@@ -23,6 +23,7 @@ namespace windloom {
 class InstancedGrass {
  public:
   enum class Chains { None, Some };
+  enum class Blades { None, Drawn };
 
   /// Fails with Machine.
   static Result<InstancedGrass> create(gpu::ShaderLibrary& shaders);
@@ -34,8 +35,9 @@ class InstancedGrass {
   /// Fills the settings block for this frame; it stays bound for all passes of the frame, also the ground's. Makes room
   /// for what may be seen; fails with Machine, and then nothing is drawn. `occluderLevels`: of the pyramid bound at
   /// RENDER_TEXTURE_OCCLUDERS, 0: none. `chains`: whether blades may lean otherwise than their bend.
+  /// `blades`: None where only others need the settings.
   Status bindSettings(const GrassSettings& grass, std::span<const Species> species, const GrassQuality& quality,
-                      const shared::FrameBlock& frame, int occluderLevels, Chains chains);
+                      const shared::FrameBlock& frame, int occluderLevels, Chains chains, Blades blades);
 
   /// Culls and places. What GrassDynamics and the colliders bind, the frame block, wind, noise, ground, solid and
   /// occluder textures must be bound (render_bindings.h).

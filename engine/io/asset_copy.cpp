@@ -97,6 +97,7 @@ std::vector<std::string> assetFiles(const Project& project) {
     add(map);
   for (const Species& species : *project.species) add(species.file);
   for (const Collider& collider : *project.colliders) add(collider.file);
+  for (const Surface& surface : *project.surfaces) add(surface.file);
   return files;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// Files that a project uses (its terrain, plants, colliders, maps) belong to its folder: what lies elsewhere is copied
-// there, and goes along when the project is saved into another folder. A different file is never written over.
+// Files that a project uses (its terrain, plants, colliders, surfaces, maps) belong to its folder: what lies elsewhere
+// is copied there, and goes along when the project is saved into another folder. A different file is never written
+// over.
 
 #include <filesystem>
 #include <string>
@@ -12,7 +13,7 @@
 namespace windloom {
 
 /// The files that a project names, each once, in the order of the project file: terrain, grass maps, species,
-/// colliders.
+/// colliders, surfaces.
 std::vector<std::string> assetFiles(const Project& project);
 
 /// The files that a file needs, relative to its folder: the buffers and pictures of a .gltf. Fails with BadInput where

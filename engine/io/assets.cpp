@@ -103,6 +103,19 @@ void fillColliders(Project& project, Loader& loader) {
   if (changed) project.colliders = std::make_shared<std::vector<Collider>>(std::move(all));
 }
 
+void fillSurfaces(Project& project, Loader& loader) {
+  std::vector<Surface> all = *project.surfaces;
+  for (const Surface& one : all) {
+    if (one.shape == SurfaceShape::Mesh) loader.know(MeshUse::Surface, one.mesh);
+  }
+  bool changed = false;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (all[i].shape != SurfaceShape::Mesh) continue;
+    changed |= loader.fill(all[i].mesh, all[i].file, MeshUse::Surface, "/surfaces/" + std::to_string(i) + "/file");
+  }
+  if (changed) project.surfaces = std::make_shared<std::vector<Surface>>(std::move(all));
+}
+
 void fillMaps(Project& project, Loader& loader) {
   GrassSettings grass = *project.grass;
   for (const auto& map : {grass.densityPixels, grass.heightPixels, grass.colourPixels}) loader.know(map);
@@ -146,6 +159,7 @@ Status loadAssets(Project& project, const fs::path& projectFile) {
   Loader loader(projectFile);
   fillSpecies(project, loader);
   fillColliders(project, loader);
+  fillSurfaces(project, loader);
   fillMaps(project, loader);
   return loader.finish();
 }

@@ -1,5 +1,6 @@
 #pragma once
-// The files that a project's meadow and colliders are made of: meshes of species and colliders, maps over the field.
+// The files that a project's meadow and colliders are made of: meshes of species, colliders and surfaces, maps over the
+// field.
 
 #include <filesystem>
 #include <memory>
@@ -14,9 +15,10 @@ namespace windloom {
 /// damaged or no PNG.
 Result<std::shared_ptr<GrassMap>> readGrassMap(const std::filesystem::path& file);
 
-/// Fills in Species::mesh, Collider::mesh and the pixels of GrassSettings of a project of this file. What is loaded
-/// already under the same name is shared, not read again. Fails with BadInput, one problem for each file that couldn't
-/// be read, at its place ("/species/2/file"); that mesh or map then stays as it was and all others are filled in.
+/// Fills in Species::mesh, Collider::mesh, Surface::mesh and the pixels of GrassSettings of a project of this file.
+/// What is loaded already under the same name is shared, not read again. Fails with BadInput, one problem for each file
+/// that couldn't be read, at its place ("/species/2/file"); that mesh or map then stays as it was and all others are
+/// filled in.
 Status loadAssets(Project& project, const std::filesystem::path& projectFile);
 
 }  // namespace windloom

@@ -33,13 +33,17 @@ class PlantReader {
  public:
   PlantReader(const tinygltf::Model& model, const fs::path& file, MeshUse use)
       : m_model(model), m_file(file), m_use(use) {
-    m_mostTriangles = use == MeshUse::Plant ? kMaxPlantTriangles : kMaxObjectTriangles;
+    m_mostTriangles = use == MeshUse::Plant    ? kMaxPlantTriangles
+                      : use == MeshUse::Object ? kMaxObjectTriangles
+                                               : kMaxSurfaceTriangles;
   }
 
   Result<std::shared_ptr<PlantMesh>> read() {
     Result<std::vector<gltf::PlacedMesh>> placed = gltf::meshesOfScene(m_model, m_file);
     if (!placed) return placed.error();
-    if (Status gathered = gatherMaterials(*placed); !gathered) return gathered.error();
+    if (m_use != MeshUse::Surface) {
+      if (Status gathered = gatherMaterials(*placed); !gathered) return gathered.error();
+    }
     for (const gltf::PlacedMesh& one : *placed) {
       for (const tinygltf::Primitive& primitive : m_model.meshes[one.mesh].primitives) {
         if (!drawn(primitive)) continue;
@@ -93,7 +97,7 @@ class PlantReader {
         std::swap(m_mesh->indices[i + 1], m_mesh->indices[i + 2]);
     }
     added = addNormals(primitive, world, first, firstIndex);
-    if (!added) return added;
+    if (!added || m_use == MeshUse::Surface) return added;
     added = addCoordinates(primitive, first);
     return added ? addColours(primitive, first) : added;
   }
@@ -204,7 +208,18 @@ class PlantReader {
       return refuse(m_file, "is " + std::to_string(longest) + " m large, expected 0.1 mm to 1 km");
     if (m_use == MeshUse::Plant && (mesh.high.y < 1e-4f || mesh.high.y < 0.01f * longest))
       return refuse(m_file, "doesn't rise over its root: y must be up and the root at the origin");
+    if (m_use == MeshUse::Surface && area() <= 0)
+      return refuse(m_file, "has no area that grass could grow on: all its triangles are points or lines");
     return Done{};
+  }
+
+  double area() const {
+    double sum = 0;
+    for (std::size_t i = 0; i + 2 < m_mesh->indices.size(); i += 3) {
+      const auto at = [&](std::size_t k) { return glm::dvec3(m_mesh->vertices[m_mesh->indices[i + k]].position); };
+      sum += 0.5 * glm::length(glm::cross(at(1) - at(0), at(2) - at(0)));
+    }
+    return sum;
   }
 
   const tinygltf::Model& m_model;
@@ -227,7 +242,8 @@ bool isGltf(const fs::path& file) {
 Result<std::shared_ptr<PlantMesh>> readPlantFile(const fs::path& file, MeshUse use) {
   if (!isGltf(file)) return refuse(file, "is no mesh, expected a glTF file (.glb or .gltf)");
   try {
-    const Result<tinygltf::Model> model = gltf::parse(file, gltf::Pictures::Keep);
+    const Result<tinygltf::Model> model =
+        gltf::parse(file, use == MeshUse::Surface ? gltf::Pictures::Leave : gltf::Pictures::Keep);
     if (!model) return model.error();
     Result<std::shared_ptr<PlantMesh>> mesh = PlantReader(*model, file, use).read();
     if (mesh && use == MeshUse::Object) (*mesh)->spheres = packSpheres(**mesh);

@@ -1,5 +1,5 @@
 #pragma once
-// Plants, tufts and things that move through the grass, from glTF 2.0 files (.glb, .gltf).
+// Plants, tufts, things that move through the grass and things that it grows on, from glTF 2.0 files (.glb, .gltf).
 //
 // All triangles of the default scene count, placed by their nodes; y is up, the origin is the root. Normals that are
 // missing are made. Colour is the base colour factor times COLOR_0 times the base colour texture (PNG or JPEG); several
@@ -14,9 +14,12 @@
 
 namespace windloom {
 
+inline constexpr std::size_t kMaxSurfaceTriangles = 2'000'000;  ///< of one surface
+
 enum class MeshUse {
-  Plant,   ///< at most kMaxPlantTriangles; must rise over its root
-  Object,  ///< at most kMaxObjectTriangles; gets spheres
+  Plant,    ///< at most kMaxPlantTriangles; must rise over its root
+  Object,   ///< at most kMaxObjectTriangles; gets spheres
+  Surface,  ///< at most kMaxSurfaceTriangles; must have an area; without colours and textures
 };
 
 /// `file` of the mesh stays empty. Fails with BadInput, the file named, where it is missing, damaged, empty or over a

@@ -4,8 +4,8 @@
 // Reading is strict about what it knows and careful with what it doesn't: every error is collected with
 // its place, unknown keys are kept as they are and written back, and nothing is dropped silently.
 // Writing is canonical: fixed order of keys, shortest numbers, one point, arrow, signal, obstacle, species,
-// collider, probe or camera a line; in these records, and in the terrain, values that equal their default are
-// left out, and so are maps of the grass that there aren't.
+// collider, surface, rotor, probe or camera a line; in these records, and in the terrain, values that equal their
+// default are left out, and so are maps of the grass that there aren't.
 
 #include <filesystem>
 #include <string>

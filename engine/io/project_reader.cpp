@@ -58,10 +58,16 @@ class Reader {
         readPart(project.terrain, value, place);
       } else if (key == "grass") {
         readPart(project.grass, value, place);
+      } else if (key == "bezier") {
+        readPart(project.bezier, value, place);
       } else if (key == "species") {
         project.species = std::make_shared<std::vector<Species>>(readList<Species>(value, place, kMaxSpecies));
       } else if (key == "colliders") {
         project.colliders = std::make_shared<std::vector<Collider>>(readList<Collider>(value, place, kMaxColliders));
+      } else if (key == "surfaces") {
+        project.surfaces = std::make_shared<std::vector<Surface>>(readList<Surface>(value, place, kMaxSurfaces));
+      } else if (key == "rotors") {
+        project.rotors = std::make_shared<std::vector<Rotor>>(readList<Rotor>(value, place, kMaxRotors));
       } else if (key == "probes") {
         project.probes = std::make_shared<std::vector<Probe>>(readList<Probe>(value, place, kMaxProbes));
       } else if (key == "cameras") {

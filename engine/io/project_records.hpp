@@ -10,9 +10,9 @@
 namespace windloom {
 
 /// Top-level keys in the order of the file.
-inline constexpr std::array<std::string_view, 14> kProjectKeys{"format",  "version",   "name",      "field",   "solver",
-                                                               "ambient", "graph",     "obstacles", "terrain", "grass",
-                                                               "species", "colliders", "probes",    "cameras"};
+inline constexpr std::array<std::string_view, 17> kProjectKeys{
+    "format", "version", "name",    "field",     "solver",   "ambient", "graph",  "obstacles", "terrain",
+    "grass",  "bezier",  "species", "colliders", "surfaces", "rotors",  "probes", "cameras"};
 
 /// The member of a record that is a list and so in no parameter table; empty: none.
 template <class Record>
@@ -39,6 +39,10 @@ template <>
 inline constexpr std::array<std::string_view, 1> kRequiredKeys<Species>{"id"};
 template <>
 inline constexpr std::array<std::string_view, 1> kRequiredKeys<Collider>{"id"};
+template <>
+inline constexpr std::array<std::string_view, 1> kRequiredKeys<Surface>{"id"};
+template <>
+inline constexpr std::array<std::string_view, 1> kRequiredKeys<Rotor>{"id"};
 template <>
 inline constexpr std::array<std::string_view, 2> kRequiredKeys<Probe>{"id", "position"};
 template <>

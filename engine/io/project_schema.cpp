@@ -201,8 +201,11 @@ std::string projectSchemaJson() {
   properties["obstacles"] = listOf(obstacleSchema(), kMaxObstacles);
   properties["terrain"] = ownerSchema<TerrainSettings>();
   properties["grass"] = ownerSchema<GrassSettings>();
+  properties["bezier"] = ownerSchema<BezierSettings>();
   properties["species"] = listOf(ownerSchema<Species>(), kMaxSpecies);
   properties["colliders"] = listOf(colliderSchema(), kMaxColliders);
+  properties["surfaces"] = listOf(ownerSchema<Surface>(), kMaxSurfaces);
+  properties["rotors"] = listOf(ownerSchema<Rotor>(), kMaxRotors);
   properties["probes"] = listOf(ownerSchema<Probe>(), kMaxProbes);
   properties["cameras"] = listOf(ownerSchema<Camera>(), kMaxCameras);
   const Schema schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
@@ -219,7 +222,7 @@ std::string parametersMarkdown() {
       "# Parameters\n"
       "Every value of a project file (NAME.wind.json), in the order of the file. Made by `windloom docs docs` from "
       "the\n"
-      "tables in engine/model/parameters.cpp. A `/` in a key stands for an object in an object; ranges hold for each\n"
+      "tables in engine/model/parameters*.cpp. A `/` in a key stands for an object in an object; ranges hold for each\n"
       "component. Missing keys take their default; unknown keys are kept and reported.\n";
   appendTable<FieldSettings>(text, "Field", "/field");
   appendTable<SolverSettings>(text, "Solver", "/solver");
@@ -236,11 +239,14 @@ std::string parametersMarkdown() {
           "along its own axes, in order around; sides don't cross; polygon. |\n";
   appendTable<TerrainSettings>(text, "Terrain", "/terrain");
   appendTable<GrassSettings>(text, "Grass", "/grass");
+  appendTable<BezierSettings>(text, "Bezier grass", "/bezier");
   appendTable<Species>(text, "Species", "/species/N");
   appendTable<Collider>(text, "Collider", "/colliders/N");
   const std::string reach = shortest(kMaxColliderOffsetM);
   text += "| keys |  |  | [0 to " + shortest(kMaxColliderKeyTimeS) + " s, three of -" + reach + " to " + reach +
           " m] |  | Time, and how far it is from its place then: x, height over the ground, z. Times ascend. |\n";
+  appendTable<Surface>(text, "Surface", "/surfaces/N");
+  appendTable<Rotor>(text, "Rotor", "/rotors/N");
   appendTable<Probe>(text, "Probe", "/probes/N");
   appendTable<Camera>(text, "Camera", "/cameras/N");
   return text;

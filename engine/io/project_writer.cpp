@@ -175,6 +175,12 @@ std::vector<std::string_view> tellingKeys(const Collider& collider) {
   }
   return {"id", "shape", "position", "file"};
 }
+std::vector<std::string_view> tellingKeys(const Surface& surface) {
+  return {"id", "shape", "position", surface.shape == SurfaceShape::Mesh ? "file" : "size", "density", "height"};
+}
+std::vector<std::string_view> tellingKeys(const Rotor&) {
+  return {"id", "position", "lift", "radius", "speed"};
+}
 std::vector<std::string_view> tellingKeys(const Signal& signal) {
   switch (signal.kind) {
     case SignalKind::Constant:
@@ -259,8 +265,11 @@ std::string writeProject(const Project& project) {
   members.push_back(member("obstacles", listText(*project.obstacles, "  ")));
   members.push_back(member("terrain", partText("terrain", *project.terrain)));
   members.push_back(member("grass", partText("grass", *project.grass)));
+  members.push_back(member("bezier", partText("bezier", *project.bezier)));
   members.push_back(member("species", listText(*project.species, "  ")));
   members.push_back(member("colliders", listText(*project.colliders, "  ")));
+  members.push_back(member("surfaces", listText(*project.surfaces, "  ")));
+  members.push_back(member("rotors", listText(*project.rotors, "  ")));
   members.push_back(member("probes", listText(*project.probes, "  ")));
   members.push_back(member("cameras", listText(*project.cameras, "  ")));
   for (const auto& [name, value] : extra.items()) members.push_back(member(name, spaced(value)));

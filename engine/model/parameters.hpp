@@ -25,6 +25,10 @@ std::span<const Parameter<Species>> parametersOf<Species>();
 template <>
 std::span<const Parameter<Collider>> parametersOf<Collider>();  // all but `keys`
 template <>
+std::span<const Parameter<Surface>> parametersOf<Surface>();
+template <>
+std::span<const Parameter<Rotor>> parametersOf<Rotor>();
+template <>
 std::span<const Parameter<Probe>> parametersOf<Probe>();
 template <>
 std::span<const Parameter<Camera>> parametersOf<Camera>();
@@ -32,6 +36,8 @@ template <>
 std::span<const Parameter<TerrainSettings>> parametersOf<TerrainSettings>();
 template <>
 std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>();
+template <>
+std::span<const Parameter<BezierSettings>> parametersOf<BezierSettings>();
 
 /// Project::name, which stands by itself.
 inline constexpr ParameterInfo kProjectName{

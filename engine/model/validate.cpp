@@ -218,6 +218,25 @@ void checkColliders(Problems& problems, const std::vector<Collider>& colliders, 
   }
 }
 
+void checkSurfaces(Problems& problems, const std::vector<Surface>& surfaces, const std::vector<Surface>* valid) {
+  checkRecords(problems, surfaces, valid, "/surfaces", kMaxSurfaces);
+  for (std::size_t i = 0; i < surfaces.size() && i < kMaxSurfaces; ++i) {
+    checkFile(problems, surfaces[i].file, surfaces[i].shape == SurfaceShape::Mesh, "the glTF file of the surface",
+              [&] { return at("/surfaces", i, "file"); });
+  }
+}
+
+/// Shorter directions have no certain way; the length itself means nothing.
+constexpr float kLeastDirection = 1e-6f;
+
+void checkBezier(Problems& problems, const BezierSettings& bezier) {
+  const std::size_t before = problems.size();
+  checkPart(problems, bezier, "/bezier");
+  if (problems.size() == before && glm::length(bezier.gravityDirection) < kLeastDirection) {
+    add(problems, "/bezier/gravity/direction", "has no length, expected a direction: [0, -1, 0] is down");
+  }
+}
+
 void checkGrass(Problems& problems, const GrassSettings& grass) {
   checkPart(problems, grass, "/grass");
   const auto map = [&](const std::string& file, const char* place) {
@@ -246,8 +265,8 @@ struct IdPlace {
 std::vector<IdPlace> idPlaces(const Project& project) {
   std::vector<IdPlace> places;
   places.reserve(project.graph->points.size() + project.graph->arrows.size() + project.obstacles->size() +
-                 project.species->size() + project.colliders->size() + project.probes->size() +
-                 project.cameras->size());
+                 project.species->size() + project.colliders->size() + project.surfaces->size() +
+                 project.rotors->size() + project.probes->size() + project.cameras->size());
   const auto take = [&](const auto& records, const char* list) {
     for (std::size_t i = 0; i < records.size(); ++i) places.push_back({records[i].id, list, i});
   };
@@ -256,6 +275,8 @@ std::vector<IdPlace> idPlaces(const Project& project) {
   take(*project.obstacles, "/obstacles");
   take(*project.species, "/species");
   take(*project.colliders, "/colliders");
+  take(*project.surfaces, "/surfaces");
+  take(*project.rotors, "/rotors");
   take(*project.probes, "/probes");
   take(*project.cameras, "/cameras");
   return places;
@@ -306,15 +327,20 @@ Problems validateParts(const Project& project, const Project* valid) {
     checkObstacles(problems, *project.obstacles, valid ? valid->obstacles.get() : nullptr);
   if (changed(&Project::terrain)) checkTerrain(problems, *project.terrain);
   if (changed(&Project::grass)) checkGrass(problems, *project.grass);
+  if (changed(&Project::bezier)) checkBezier(problems, *project.bezier);
   if (changed(&Project::species)) checkSpecies(problems, *project.species, valid ? valid->species.get() : nullptr);
   if (changed(&Project::colliders))
     checkColliders(problems, *project.colliders, valid ? valid->colliders.get() : nullptr);
+  if (changed(&Project::surfaces)) checkSurfaces(problems, *project.surfaces, valid ? valid->surfaces.get() : nullptr);
+  if (changed(&Project::rotors))
+    checkRecords(problems, *project.rotors, valid ? valid->rotors.get() : nullptr, "/rotors", kMaxRotors);
   if (changed(&Project::probes))
     checkRecords(problems, *project.probes, valid ? valid->probes.get() : nullptr, "/probes", kMaxProbes);
   if (changed(&Project::cameras)) checkCameras(problems, *project.cameras);
   if (changed(&Project::field) || changed(&Project::grass)) checkBlades(problems, project);
   if (changed(&Project::graph) || changed(&Project::obstacles) || changed(&Project::species) ||
-      changed(&Project::colliders) || changed(&Project::probes) || changed(&Project::cameras)) {
+      changed(&Project::colliders) || changed(&Project::surfaces) || changed(&Project::rotors) ||
+      changed(&Project::probes) || changed(&Project::cameras)) {
     checkIds(problems, project);
   }
   return problems;

@@ -18,6 +18,8 @@ inline constexpr std::size_t kMaxProbes = 1'000;
 inline constexpr std::size_t kMaxCameras = 1'000;
 inline constexpr std::size_t kMaxSpecies = 16;
 inline constexpr std::size_t kMaxColliders = 64;
+inline constexpr std::size_t kMaxSurfaces = 64;
+inline constexpr std::size_t kMaxRotors = 16;
 inline constexpr std::size_t kMaxColliderKeys = 10'000;
 inline constexpr float kMaxColliderKeyTimeS = 3600.0f;
 inline constexpr float kMaxColliderOffsetM = 100'000.0f;  ///< of a key, along each axis
@@ -33,8 +35,8 @@ std::string signalKeyProblem(const SignalKey& key);
 /// Where a collider key's time or offset is out of range: what was expected. Empty where it is legal.
 std::string colliderKeyProblem(const ColliderKey& key);
 
-/// Where the name of a file that a project uses (terrain, species, collider, map) would leave the project's folder:
-/// what was expected. Empty where it is legal or empty.
+/// Where the name of a file that a project uses (terrain, species, collider, surface, map) would leave the project's
+/// folder: what was expected. Empty where it is legal or empty.
 std::string assetFileProblem(std::string_view file);
 
 /// Every problem, in file order, with JSON pointers: parameters out of range; ids zero or used twice;
@@ -42,7 +44,7 @@ std::string assetFileProblem(std::string_view file);
 /// with the same ends; signals of missing points, two for one root, or with keys out of range, not
 /// ascending or (when looped) after the period; periodic sides without partner; cameras that look at
 /// their own place; files that leave the project's folder, and none where a terrain or a mesh needs one; colliders'
-/// keys out of range or not ascending; counts over the limits. Empty: valid.
+/// keys out of range or not ascending; a gravity without direction; counts over the limits. Empty: valid.
 std::vector<Problem> validate(const Project& project);
 
 /// The same for a project made from a valid one: parts that it shares with `valid` are not read again,

@@ -5,9 +5,11 @@
 #include "engine/core/log.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/timer.hpp"
+#include "engine/grass/bezier_grass.hpp"
 #include "engine/grass/grass_maps.hpp"
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/grass/plant_pass.hpp"
+#include "engine/grass/rotors.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
@@ -18,6 +20,7 @@
 #include "engine/render/overlay_pass.hpp"
 #include "engine/render/scene_targets.hpp"
 #include "engine/render/solids.hpp"
+#include "engine/render/surface_pass.hpp"
 #include "shaders/shared/render_bindings.h"
 
 namespace windloom {
@@ -31,6 +34,8 @@ constexpr glm::ivec2 kOccluderSize{256, 128};
 
 struct Parts {
   InstancedGrass grass;
+  BezierGrass bezier;
+  BezierPhysics bezierPhysics;
   GrassMaps maps;
   PlantPass plants;
   GrassDynamics dynamics;
@@ -38,8 +43,10 @@ struct Parts {
   GroundPass ground;
   SolidPass solids;
   ColliderPass colliders;
+  SurfacePass surfaces;
   Occluders occluders;
   OverlayPass overlays;
+  Rotors rotors;
   gpu::Texture noise;
   gpu::Buffer frame;
 };
@@ -47,6 +54,10 @@ struct Parts {
 Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   Result<InstancedGrass> grass = InstancedGrass::create(shaders);
   if (!grass) return grass.error();
+  Result<BezierGrass> bezier = BezierGrass::create(shaders);
+  if (!bezier) return bezier.error();
+  Result<BezierPhysics> bezierPhysics = BezierPhysics::create(shaders);
+  if (!bezierPhysics) return bezierPhysics.error();
   Result<GrassMaps> maps = GrassMaps::create();
   if (!maps) return maps.error();
   Result<PlantPass> plants = PlantPass::create(shaders);
@@ -61,17 +72,22 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!solids) return solids.error();
   Result<ColliderPass> colliders = ColliderPass::create(shaders);
   if (!colliders) return colliders.error();
+  Result<SurfacePass> surfaces = SurfacePass::create(shaders);
+  if (!surfaces) return surfaces.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
   Result<Occluders> occluders = Occluders::create(shaders, kOccluderSize);
   if (!occluders) return occluders.error();
+  Result<Rotors> rotors = Rotors::create();
+  if (!rotors) return rotors.error();
   Result<gpu::Texture> noise = createNoiseTexture();
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),     std::move(*maps),     std::move(*plants), std::move(*dynamics),
-               std::move(*backdrop),  std::move(*ground),   std::move(*solids), std::move(*colliders),
-               std::move(*occluders), std::move(*overlays), std::move(*noise),  std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*bezier),    std::move(*bezierPhysics), std::move(*maps),
+               std::move(*plants),   std::move(*dynamics),  std::move(*backdrop),      std::move(*ground),
+               std::move(*solids),   std::move(*colliders), std::move(*surfaces),      std::move(*occluders),
+               std::move(*overlays), std::move(*rotors),    std::move(*noise),         std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -104,12 +120,12 @@ class FrameRendererImpl final : public FrameRenderer {
   FrameStats render(const FrameInput& input) override {
     WL_REQUIRE(input.project != nullptr, "a frame shows a project");
     if (input.size.x <= 0 || input.size.y <= 0) return stats();
-    if (!adoptProject(*input.project) || !fitTargets(input)) return stats();
+    if (!adoptProject(input) || !fitTargets(input)) return stats();
     m_timer.beginFrame();
     bindFrame(input);
     m_timer.stage("occluders");
     updateOccluders(input);
-    m_timer.stage("grass dynamics");
+    m_timer.stage("grass physics");
     moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
@@ -128,7 +144,7 @@ class FrameRendererImpl final : public FrameRenderer {
 
   void advance(const FrameInput& input) override {
     WL_REQUIRE(input.project != nullptr, "a frame shows a project");
-    if (!adoptProject(*input.project)) return;
+    if (!adoptProject(input)) return;
     bindFrame(input);
     moveGrass(input);
     WindSampler::unbind();
@@ -136,7 +152,8 @@ class FrameRendererImpl final : public FrameRenderer {
 
  private:
   /// Passes take over the parts that changed. A part the machine refuses is logged once and the frame skipped.
-  bool adoptProject(const Project& project) {
+  bool adoptProject(const FrameInput& input) {
+    const Project& project = *input.project;
     const Shared<HeightField>& heights = project.terrain->heights;
     const bool ground = heights != m_heights;
     if (ground && !accept(m_parts.ground.configure(heights, defaultLight().sunDirection))) return false;
@@ -152,14 +169,22 @@ class FrameRendererImpl final : public FrameRenderer {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
     if (project.colliders != m_colliders && !accept(m_parts.colliders.configure(*project.colliders))) return false;
+    if (ground || project.surfaces != m_surfaces) {
+      if (!accept(m_parts.surfaces.configure(*project.surfaces, heights.get()))) return false;
+    }
+    const Placement placement = input.quality.complete ? Placement::Wait : Placement::Later;
+    if (isBezier(project) && !accept(m_parts.bezier.configure(project, placement))) return false;
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
     m_species = project.species;
     m_obstacles = project.obstacles;
     m_colliders = project.colliders;
+    m_surfaces = project.surfaces;
     return true;
   }
+
+  static bool isBezier(const Project& project) { return project.grass->kind == GrassKind::Bezier; }
 
   bool accept(const Status& status) {
     if (status) return true;
@@ -182,7 +207,7 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   bool fitTargets(const FrameInput& input) {
-    const int samples = quick(input) ? 1 : 4;
+    const int samples = input.quality.samples > 0 ? input.quality.samples : quick(input) ? 1 : 4;
     if (m_targets.size() == input.size && m_targets.samples() == samples) return true;
     m_targets = SceneTargets();
     Result<SceneTargets> targets = SceneTargets::create(input.size, samples);
@@ -200,14 +225,17 @@ class FrameRendererImpl final : public FrameRenderer {
     const bool remembers = inertial || !project.colliders->empty() || m_parts.dynamics.touched();
     const auto chains = remembers ? InstancedGrass::Chains::Some : InstancedGrass::Chains::None;
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling, quick(input)};
-    accept(m_parts.grass.bindSettings(*input.project->grass, *input.project->species, quality, m_block,
-                                      occluding() ? m_parts.occluders.levels() : 0, chains));
+    const auto blades = isBezier(project) ? InstancedGrass::Blades::None : InstancedGrass::Blades::Drawn;
+    accept(m_parts.grass.bindSettings(*project.grass, *project.species, quality, m_block,
+                                      occluding() ? m_parts.occluders.levels() : 0, chains, blades));
+    if (isBezier(project)) accept(m_parts.bezier.bindSettings(project, bezierFrame(input)));
     m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
     m_parts.ground.bind();
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
     m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection);
+    m_parts.rotors.bind(*project.rotors, input.time);
     m_parts.backdrop.bakeSky();
     // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
@@ -224,7 +252,16 @@ class FrameRendererImpl final : public FrameRenderer {
             .culling = input.quality.culling};
   }
 
-  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || !m_parts.ground.flat(); }
+  [[nodiscard]] BezierFrame bezierFrame(const FrameInput& input) const {
+    return {.detail = input.quality.detail,
+            .thinning = input.quality.thinning,
+            .culling = input.quality.culling,
+            .tests = input.bezierCulling,
+            .view = input.grassView,
+            .quick = quick(input)};
+  }
+
+  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || m_parts.surfaces.any() || !m_parts.ground.flat(); }
 
   void updateOccluders(const FrameInput& input) {
     if (!occluding()) {
@@ -233,16 +270,33 @@ class FrameRendererImpl final : public FrameRenderer {
     }
     m_parts.occluders.update([&](const gpu::PassState& state) {
       m_parts.solids.draw(state);
+      m_parts.surfaces.draw(state);
       if (!m_parts.ground.flat()) m_parts.ground.draw(state, m_block, input.camera, Backdrop::GroundDetail::Plain);
     });
   }
 
   void moveGrass(const FrameInput& input) {
+    if (isBezier(*input.project)) {
+      moveBezier(input);
+      return;
+    }
     const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
     if (accept(m_parts.dynamics.fitWind(*input.project->grass, input.wind.grid.resolution, most))) {
       m_parts.dynamics.advance(*input.project, input.time, quick(input) ? RunUp::Quick : RunUp::Full);
     }
     m_parts.dynamics.bind();
+  }
+
+  void moveBezier(const FrameInput& input) {
+    m_parts.dynamics.bind();  // for the plants
+    m_parts.bezier.findSeen();
+    const BezierStore store = m_parts.bezier.store();
+    if (store.patchCount == 0) return;
+    if (m_parts.bezier.generation() != m_bladesMoved) {
+      if (!accept(m_parts.bezierPhysics.configure(store))) return;
+      m_bladesMoved = m_parts.bezier.generation();
+    }
+    m_parts.bezierPhysics.advance(*input.project, store, input.time, quick(input));
   }
 
   void drawScene(const FrameInput& input) {
@@ -253,9 +307,14 @@ class FrameRendererImpl final : public FrameRenderer {
     m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
+    m_parts.surfaces.draw(state);
     m_parts.colliders.draw(state, *input.project, input.time);
-    m_timer.stage("grass");
-    m_parts.grass.draw(state);
+    if (isBezier(*input.project)) {
+      drawBezier(state);
+    } else {
+      m_timer.stage("grass");
+      m_parts.grass.draw(state);
+    }
     m_timer.stage("plants");
     m_parts.plants.draw(state);
     m_timer.stage("ground");
@@ -269,10 +328,30 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.backdrop.drawSky(state);
   }
 
+  /// Large blades first; what they hide of the others isn't drawn.
+  void drawBezier(const gpu::PassState& state) {
+    using Round = BezierGrass::Round;
+    m_timer.stage("grass cull near");
+    m_parts.bezier.cull(Round::First, m_targets.depth());
+    m_timer.stage("grass near");
+    m_parts.bezier.draw(Round::First, state);
+    m_timer.stage("grass cull far");
+    m_parts.bezier.cull(Round::Rest, m_targets.depth());
+    m_timer.stage("grass far");
+    m_parts.bezier.draw(Round::Rest, state);
+  }
+
   FrameStats stats() {
     FrameStats stats;
-    stats.bladesTotal = m_parts.grass.layout().bladesTotal;
-    stats.bladesDrawn = m_parts.grass.bladesDrawn();
+    if (m_grass && m_grass->kind == GrassKind::Bezier) {
+      stats.bezier = m_parts.bezier.counts();
+      stats.complete = !m_parts.bezier.placing();
+      stats.bladesTotal = stats.bezier.blades;
+      stats.bladesDrawn = stats.bezier.drawn;
+    } else {
+      stats.bladesTotal = m_parts.grass.layout().bladesTotal;
+      stats.bladesDrawn = m_parts.grass.bladesDrawn();
+    }
     stats.passMs = m_timer.stages();
     stats.gpuMs = m_timer.totalMs();
     return stats;
@@ -284,12 +363,14 @@ class FrameRendererImpl final : public FrameRenderer {
   SceneTargets m_targets;
   gpu::GpuTimer m_timer;
   FrameBlock m_block{};  // of the last frame
+  int m_bladesMoved = 0;  // generation of the Bezier blades that the physics knows
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
   Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
   Shared<std::vector<Collider>> m_colliders;
+  Shared<std::vector<Surface>> m_surfaces;
   std::string m_lastError;
 };
 

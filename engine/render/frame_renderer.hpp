@@ -40,6 +40,7 @@ struct FrameQuality {
   bool thinning = true;  ///< false: every blade is drawn in full, however small, to compare pictures with
   bool culling = true;   ///< false: blades out of sight are drawn, too, to compare times with
   bool still = false;    ///< nothing moves: ground, maps and edges as fine as they can be, though it takes longer
+  bool complete = true;  ///< waits for what is made beside the frame (Bezier blades); false: the frame goes without it
   int samples = 0;       ///< a pixel: 1, 2, 4 or 8; 0: as many as fit the machine and the detail
 };
 
@@ -63,6 +64,7 @@ struct FrameStats {
   long long bladesTotal = 0;  ///< that the project asks for
   long long bladesDrawn = 0;  ///< of a recent finished frame
   BezierCounts bezier;        ///< all 0 with other grass
+  bool complete = true;       ///< false: grass is still being placed beside the frame
   double gpuMs = 0;           ///< of a recent finished frame; 0 until known
   std::vector<std::pair<std::string, double>> passMs;
 };

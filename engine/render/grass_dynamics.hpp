@@ -3,9 +3,9 @@
 // of a frame.
 
 #include "engine/grass/grass_patches.hpp"
+#include "engine/grass/touch_clock.hpp"
 #include "engine/grass/virtual_blades.hpp"
 #include "engine/model/project.hpp"
-#include "engine/render/touch_clock.hpp"
 
 namespace windloom {
 

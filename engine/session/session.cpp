@@ -8,7 +8,7 @@
 
 #include "engine/core/log.hpp"
 #include "engine/gpu/texture.hpp"
-#include "engine/render/touch_clock.hpp"
+#include "engine/grass/touch_clock.hpp"
 #include "engine/session/live_grid.hpp"
 #include "engine/session/wind_readout.hpp"
 #include "engine/session/wind_watch.hpp"
@@ -325,6 +325,8 @@ void SessionImpl::draw(const View& view) {
   input.overlays = view.overlays;
   input.highlight = view.highlight;
   input.quality = view.quality;
+  input.grassView = view.grassView;
+  input.bezierCulling = view.bezierCulling;
   m_status.frame = m_renderer->render(input);
   if (!onCpu()) m_readout.sample(m_simulation->solver().velocityTexture(), m_simulation->solver().grid());
 }

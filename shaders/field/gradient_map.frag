@@ -20,7 +20,7 @@ vec2 slope(vec2 axis, float reach) {
   if (solidsNear(low).distanceM < 0.0) low = mapWorld;
   if (solidsNear(high).distanceM < 0.0) high = mapWorld;
   float apart = dot(high - low, axis);
-  return apart > 1e-5 ? (smoothWind(high) - smoothWind(low)) / apart : vec2(0.0);
+  return apart > 1e-5 ? (fieldWind(high) - fieldWind(low)) / apart : vec2(0.0);
 }
 
 void main() {

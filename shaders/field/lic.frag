@@ -39,7 +39,7 @@ float streakAt() {
     vec2 at = mapWorld;
     for (int i = way < 0 ? 0 : 1; i < kSteps; ++i) {
       if (i > 0) {
-        vec2 wind = smoothWind(at);
+        vec2 wind = fieldWind(at);
         float speed = length(wind);
         if (speed < 1e-4) break;
         float part = min(speed / frame.pixelScale.z, 1.3);
@@ -59,7 +59,7 @@ float streakAt() {
 }
 
 void main() {
-  float part = length(smoothWind(mapWorld)) / frame.pixelScale.z;
+  float part = length(fieldWind(mapWorld)) / frame.pixelScale.z;
   // Where the air rests there is nothing to see.
   float moves = smoothstep(0.004, 0.05, part);
   float streak = clamp(streakAt(), -0.5, 0.5) * moves;

@@ -10,7 +10,7 @@ in vec2 mapWorld;
 layout(location = 0) out vec4 colour;
 
 void main() {
-  float part = length(smoothWind(mapWorld)) / frame.pixelScale.z;
+  float part = length(fieldWind(mapWorld)) / frame.pixelScale.z;
   // Thin lines at every fifth of the range help to read values.
   float level = part * 5.0;
   float line = 1.0 - smoothstep(0.0, 1.3, abs(fract(level + 0.5) - 0.5) / max(fwidth(level), 1e-4));

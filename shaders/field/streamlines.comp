@@ -21,7 +21,7 @@ const int kLeadSteps = 6;          // up to the window
 
 // m per life.
 vec2 drift(vec2 at, float reach) {
-  vec2 wind = smoothWind(at);
+  vec2 wind = fieldWind(at);
   float speed = length(wind);
   float part = speed / frame.pixelScale.z;
   return speed > 1e-4 ? wind / speed * reach * (0.36 + 0.64 * min(part, 1.4)) : vec2(0.0);
@@ -53,7 +53,7 @@ void main() {
   float share = (age - tail) / float(FLOW_LINE_POINTS - 1);
   for (int i = 0; i < FLOW_LINE_POINTS; ++i) {
     lit *= openAir(at);
-    float part = length(smoothWind(at)) / frame.pixelScale.z;
+    float part = length(fieldWind(at)) / frame.pixelScale.z;
     lines[line * FLOW_LINE_POINTS + i] = vec4(at, part, lit * smoothstep(0.004, 0.03, part));
     at = follow(at, reach, share);
   }

@@ -21,7 +21,7 @@ const vec2 kShape[9] = vec2[9](vec2(0.0, -0.35), vec2(0.62, -0.35), vec2(0.0, 0.
 void main() {
   FlowSeed seed = seeds[gl_InstanceID];
   vec2 node = seed.place.xy;
-  vec2 wind = smoothWind(node);
+  vec2 wind = fieldWind(node);
   float speed = length(wind);
   float part = speed / frame.pixelScale.z;
   vec2 along = speed > 1e-4 ? wind / speed : vec2(1.0, 0.0);

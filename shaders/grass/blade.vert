@@ -11,6 +11,7 @@
 #include "shaders/include/tone_map.glsl"
 #include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_shape.glsl"
+#include "shaders/include/blade_light.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/grass_tiles.glsl"
 
@@ -32,7 +33,7 @@ float taperAt(float s) { return 1.0 - 0.9 * s * s; }
 vec3 litAt(BladeLook look, Spine spine, float s, vec3 side, float edge, vec3 v, float hidden) {
   float seen = mix(s, 1.0 - seenDepth(v.y) * (1.0 - s), hidden);
   vec3 place = spine.position + vec3(0.0, (seen - s) * look.height, 0.0);
-  return bladeLight(look, place, spine.tangent, seen, side, edge, v);
+  return bladeLight(look, place.y, spine.tangent, seen, side, edge, v, vec3(0.0, 1.0, 0.0));
 }
 #endif
 
@@ -113,7 +114,7 @@ void main() {
   bladeColour = afar;
 #else
   vec2 shade = unpackHalf2x16(blade.shade);
-  BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, 2.0 * foot.a, shade.x, shade.y, unpackUnorm4x8(blade.tint), normal, mapColour(root.xz));
+  BladeLook look = BladeLook(speciesOf(blade.facing), sizes.x, canopyOf(2.0 * foot.a), closedOf(2.0 * foot.a), shade.x, shade.y, unpackUnorm4x8(blade.tint), normal, mapColour(root.xz));
   vec3 lit = toPicture(throughAir(litAt(look, spine, s, side, edge, v, tip.a), world));
 #if SEGMENTS == 6 && !defined(QUICK)
   if (between) {

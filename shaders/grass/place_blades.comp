@@ -21,6 +21,7 @@
 #include "shaders/include/blade_chain.glsl"
 #include "shaders/include/blade_pose.glsl"
 #include "shaders/include/blade_shape.glsl"
+#include "shaders/include/blade_light.glsl"
 #ifdef CHAINS
 #include "shaders/include/grass_patches.glsl"
 #endif
@@ -37,22 +38,23 @@ const float kFootLit = 0.2, kTipLit = 0.7;  // along a blade: stand for its foot
 const float kMeanLit = 0.44, kMeanCalm = 0.1;  // and what lies between them for all of it; less where it stands upright
 
 // The colour of a blade that is too small on screen to be lit at every vertex: lit at two places.
-void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float hidden, vec3 root, BladePose pose, vec2 facing) {
+void lightFromAfar(inout GrassBlade blade, BladeLook look, float share, float single, float hidden, vec3 root, BladePose pose, vec2 facing) {
   vec3 v = directionToCamera(root + vec3(0.0, 0.5 * look.height, 0.0));
   vec3 side = bladeSide(pose.bend, facing, v);
   // Blades that stand for those they hide look as these do: seen from the top down.
   float depth = seenDepth(v.y);
   float crowd = 1.0 - single * (1.0 - hidden);
+  const vec3 up = vec3(0.0, 1.0, 0.0);
   vec3 colours[2];
   for (int i = 0; i < 2; ++i) {
     float s = i == 0 ? mix(kFootLit, 1.0 - 0.85 * depth, crowd) : mix(kTipLit, 1.0 - 0.15 * depth, crowd);
     Spine spine = spineAt(pose.bend, blade.chain != 0u, pose.leans, s, facing, look.height);
     vec3 tangent = planted(spine.tangent, look.ground);
     vec3 place = planted(spine.position, look.ground);
-    vec3 light = 0.5 * (bladeLight(look, place, tangent, s, side, -0.7, v) + bladeLight(look, place, tangent, s, side, 0.7, v));
+    vec3 light = 0.5 * (bladeLight(look, place.y, tangent, s, side, -0.7, v, up) + bladeLight(look, place.y, tangent, s, side, 0.7, v, up));
     if (single < 1.0) {
       vec3 other = bladeSide(pose.bend, vec2(facing.y, -facing.x), v);
-      vec3 more = 0.5 * (bladeLight(look, place, tangent, s, other, -0.7, v) + bladeLight(look, place, tangent, s, other, 0.7, v));
+      vec3 more = 0.5 * (bladeLight(look, place.y, tangent, s, other, -0.7, v, up) + bladeLight(look, place.y, tangent, s, other, 0.7, v, up));
       light = mix(light, more, 0.5 - 0.5 * single);
     }
     colours[i] = toPicture(throughAir(light, root));
@@ -61,7 +63,7 @@ void lightFromAfar(inout GrassBlade blade, BladeLook look, float single, float h
   float calm = 1.0 - smoothstep(0.0, 0.5, length(pose.bend + pose.leans.e[CHAIN_SEGMENTS - 1]));
   vec3 mean = mix(colours[0], colours[1], kMeanLit - kMeanCalm * calm);
   float contrast = mix(0.25, 1.0, single);
-  blade.foot = packUnorm4x8(vec4(mix(mean, colours[0], contrast), 0.5 * look.share));
+  blade.foot = packUnorm4x8(vec4(mix(mean, colours[0], contrast), 0.5 * share));
   blade.tip = packUnorm4x8(vec4(mix(mean, colours[1], contrast), hidden));
 }
 
@@ -147,8 +149,8 @@ bool makeBlade(ivec2 tile, uint index, uint total, int patchSlot, out GrassBlade
   blade.tint = packUnorm4x8(vec4(dry, 0.5 * bright * slope * colliderShade(middle), 0.5 + 0.5 * hue, openness(solid)));
   blade.chain = chained ? 1u : 0u;
   float share = canopy * grass.species[own.species].base.w / grass.baseColour.w;
-  BladeLook look = BladeLook(own.species, height, share, solids.shadowHeight, shadeForce(length(felt)), unpackUnorm4x8(blade.tint), ground.normal, mapColour(root));
-  lightFromAfar(blade, look, single, hiddenPart(facingCamera), place, pose, facing);
+  BladeLook look = BladeLook(own.species, height, canopyOf(share), closedOf(share), solids.shadowHeight, shadeForce(length(felt)), unpackUnorm4x8(blade.tint), ground.normal, mapColour(root));
+  lightFromAfar(blade, look, share, single, hiddenPart(facingCamera), place, pose, facing);
   return true;
 }
 

@@ -44,20 +44,20 @@ struct GrassLight {
 vec3 transmitted(vec3 albedo) { return albedo * vec3(1.22, 1.05, 0.38); }
 
 // Grass laid away from the eye shows its lit sides, grass laid towards it the gaps between its tips: what
-// makes the stripes of a mown lawn, and of wind.
-float combed(vec3 t, vec3 v) { return 1.0 - 0.55 * dot(t.xz, v.xz); }
+// makes the stripes of a mown lawn, and of wind. `up`: out of what it grows on.
+float combed(vec3 t, vec3 v, vec3 up) { return 1.0 - 0.55 * (dot(t, v) - dot(t, up) * dot(v, up)); }
 
 // Laid blades mirror the sky.
 vec3 skySheen(float laid, float sun) { return frame.skyColour.rgb * (0.14 * laid * laid * (0.4 + 0.6 * sun)); }
 
 // And they show their paler undersides.
-vec3 laidAlbedo(vec3 albedo, vec3 t) {
-  float laid = clamp(1.0 - t.y * t.y, 0.0, 1.0);
+vec3 laidAlbedo(vec3 albedo, float upright) {
+  float laid = clamp(1.0 - upright * upright, 0.0, 1.0);
   return mix(albedo, vec3(0.95, 1.05, 0.75) * dot(albedo, vec3(0.3, 0.6, 0.1)), 0.35 * laid) * (1.0 + 1.2 * laid);
 }
 
-// Light from a point of one blade towards `v`; `n` is the blade's normal on the side seen.
-vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, GrassLight at) {
+// Light from a point of one blade towards `v`; `n` is the blade's normal on the side seen, `up` where it grows to.
+vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, vec3 up, GrassLight at) {
   vec3 l = frame.sunDirection.xyz;
   float sun = sunInCanopy(at.height, at.dense) * at.sunlit;
   float nl = dot(n, l);
@@ -66,8 +66,9 @@ vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, GrassLight at) {
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * (0.75 + 0.25 * n.y);
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
   float sheen = pow(max(dot(n, normalize(v + l)), 0.0), 14.0) * (0.04 + 0.5 * fourth(1.0 - max(dot(n, v), 0.0)));
-  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
-  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - t.y * t.y), sun);
+  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v, up);
+  float upright = dot(t, up);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - upright * upright), sun);
 }
 
 // Mean light of the canopy from far: blades of every direction around the stem direction `t`.
@@ -90,7 +91,7 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   float sheen = fourth(beside) * beside * beside * beside * 0.04 + 0.05 * forward * sinL;
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * 0.85;
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
-  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v);
+  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v, vec3(0.0, 1.0, 0.0));
   return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(1.0 - t.y, sun);
 }
 
@@ -142,7 +143,7 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, vec3 ground, float sunlit) {
   // A low eye sees the tips, a high one looks down into the canopy.
   float height = mix(0.86, 0.52, sqrt(max(v.y, 0.0)));
   GrassLight at = GrassLight(height, 1.0, sunlit, heightWindShade(0.8 * mix(1.0, stem.y, 0.5), shadeForce(length(wind))));
-  vec3 albedo = laidAlbedo(bladeAlbedo(0u, height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem);
+  vec3 albedo = laidAlbedo(bladeAlbedo(0u, height, patchTint.x * grass.dryColour.w, patchTint.y, 0.0), stem.y);
   // What neighbours take from each other besides, fitted to pictures of every blade (bench picture).
   float up = max(v.y, 0.0);
   float fitted = (1.0 - 0.357 * sqrt(up) * (1.0 - 0.902 * up)) * (0.9 + 0.1 * smoothstep(0.0, 0.15, 1.0 - stem.y)) * (1.0 - 0.04 * smoothstep(0.0, 0.3, up));

@@ -4,7 +4,7 @@
 layout(std140, binding = RENDER_UBO_CHAIN) uniform ChainUniforms { ChainBlock chain; };
 layout(binding = RENDER_TEXTURE_VIRTUAL_WIND) uniform sampler2DArray virtualWindTexture;
 
-// G over k at a place, between texels; outside the field it turns into what the ambient wind holds.
+// G over k at a place, between texels; outside the field it turns into what the ambient wind and rotors hold.
 ChainLeans virtualMoments(vec2 world) {
   ChainLeans moments;
   vec2 uv = worldToUv(world, frame.field.xy, frame.field.zw);
@@ -13,7 +13,7 @@ ChainLeans virtualMoments(vec2 world) {
   moments.e = vec2[](low.xy, low.zw, high.xy, high.zw);
   float outside = outsideField(world);
   if (outside > 0.0 && frame.pixelScale.w > 0.5) {
-    vec2 ambient = rippledWind(world, frame.ambientWind.xy, chain.wind.z);
+    vec2 ambient = rippledWind(world, frame.ambientWind.xy + rotorAirOver(world, 0.0, 0.0).xz, chain.wind.z);
     ChainLeans held = chainMoments(chain, chainSteadyLeans(chain, ambient));
     for (int i = 0; i < CHAIN_SEGMENTS; ++i) moments.e[i] = mix(moments.e[i], held.e[i], outside);
   }

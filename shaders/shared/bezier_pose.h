@@ -10,8 +10,10 @@ using glm::dot;
 using glm::length;
 using glm::normalize;
 using std::abs;
+using std::cos;
 using std::max;
 using std::min;
+using std::sin;
 #endif
 
 /// Unit vector from a place on the octahedron's square, both in -1..1 (Cigolle and others, "Survey of efficient

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
 """Drives the built `windloom`: new, validate, info, docs, and the messages and exit status of bad input."""
 import argparse
+import base64
 import json
 import os
 import pathlib
 import stat
+import struct
 import subprocess
 import sys
 import tempfile
@@ -15,6 +17,7 @@ DONE, BAD_INPUT, USAGE, MACHINE = 0, 1, 2, 3
 # file -> (place, part of the message)
 REFUSALS = {
     "array": ("", "expected a Windloom project"),
+    "bezier-without-gravity": ("/bezier/gravity/direction", "has no length, expected a direction"),
     "beyond-float": ("/graph/points/0/position", "expected two numbers"),
     "binary": ("line 1, column 1", "is not valid JSON"),
     "collider-key-backwards": ("/colliders/0/keys/2", "is not later than the key before it"),
@@ -28,6 +31,7 @@ REFUSALS = {
     "empty": ("", "is empty"),
     "id-of-point-and-arrow": ("/graph/arrows/0/id", "id 2 is used already, at /graph/points/1"),
     "id-of-species-and-collider": ("/colliders/0/id", "id 5 is used already, at /species/0"),
+    "id-of-surface-and-rotor": ("/rotors/0/id", "id 5 is used already, at /surfaces/0"),
     "keys-not-ascending": ("/graph/signals/0/keys/1", "not later"),
     "map-outside": ("/grass/maps/density", "which leaves the project's folder"),
     "missing-format": ("/format", "is missing"),
@@ -48,9 +52,12 @@ REFUSALS = {
     "self-arrow": ("/graph/arrows/0/to", "expected another one"),
     "species-mesh-outside": ("/species/0/file", "an absolute path"),
     "species-unknown-shape": ("/species/0/shape", 'found "tulip", expected one of blade, daisy, poppy, spike, mesh'),
+    "surface-mesh-without-file": ("/surfaces/0/file", "is missing, expected the glTF file of the surface"),
+    "surface-unknown-shape": ("/surfaces/0/shape", 'found "cube", expected one of moebius, torus, sphere, hare, mesh'),
     "too-deep": (None, "nested deeper than 64 levels"),
     "too-many-blades": ("/grass/density", "million blades"),
     "too-many-species": ("/species", "holds 17 objects, expected at most 16"),
+    "too-many-rotors": ("/rotors", "holds 17 objects, expected at most 16"),
     "truncated": (None, "unexpected end of input"),
     "twin-arrows": ("/graph/arrows/1", "as arrow 11 already does"),
     "unknown-choice": ("/graph/arrows/0/drive", 'found "magic", expected one of speed, force'),
@@ -185,6 +192,34 @@ class Verbs(unittest.TestCase):
         text = self.expect(DONE, "info", path).stdout
         self.assertIn("1 (gate) plays pulse", text)
         self.assertIn("4.50 s  point 3", text)
+
+    def test_info_tells_surfaces_rotors_and_the_kind_of_grass(self):
+        path = self.folder / "band.wind.json"
+        path.write_text(json.dumps({
+            "format": "windloom-project", "version": 1, "field": {"size": [50, 20], "resolution": [100, 40]},
+            "grass": {"kind": "bezier", "density": 1000}, "bezier": {"most": 20000},
+            "surfaces": [{"id": 1, "name": "band", "shape": "moebius", "size": 6},
+                         {"id": 2, "shape": "mesh", "file": "hill.gltf"}],
+            "rotors": [{"id": 3, "lift": 12}]}), encoding="utf-8")
+        self.assertIn("/surfaces/1/file", self.expect(BAD_INPUT, "info", path).stderr, "the lost file is told")
+        places = base64.b64encode(struct.pack("<9f", 0, 0, 0, 0, 0, 1, 1, 0, 0)).decode()
+        (self.folder / "hill.gltf").write_text(json.dumps({
+            "asset": {"version": "2.0"}, "nodes": [{"mesh": 0}],
+            "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}],
+            "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"}],
+            "bufferViews": [{"buffer": 0, "byteLength": 36}],
+            "buffers": [{"byteLength": 36, "uri": "data:application/octet-stream;base64," + places}]}))
+        self.expect(DONE, "validate", path)
+        info = json.loads(self.expect(DONE, "info", path, "--json").stdout)
+        self.assertEqual((info["counts"]["surfaces"], info["counts"]["rotors"]), (2, 1))
+        self.assertEqual(info["counts"]["blades"], 20000, "no more than the most")
+        self.assertEqual(info["grass"], "bezier")
+        self.assertEqual([s["shape"] for s in info["surfaces"]], ["moebius", "mesh"])
+        self.assertEqual(info["surfaces"][1]["triangles"], 1)
+        text = self.expect(DONE, "info", path).stdout
+        self.assertIn("1 (band): moebius of 6 m, 1500 blades per m^2", text)
+        self.assertIn("3: 12 m over the ground", text)
+        self.assertIn("2: mesh hill.gltf, 1 triangles", text)
 
     def test_info_of_a_project_without_points(self):
         path = self.folder / "empty.wind.json"

@@ -12,6 +12,7 @@
 #include "engine/gpu/texture.hpp"
 #include "engine/grass/grass_layout.hpp"
 #include "engine/grass/grass_maps.hpp"
+#include "engine/grass/rotors.hpp"
 #include "engine/render/frame_block.hpp"
 #include "engine/render/ground_pass.hpp"
 #include "engine/render/noise_texture.hpp"
@@ -40,6 +41,7 @@ class GrassScene {
     m_ground = taken(GroundPass::create(shaders));
     m_maps = taken(GrassMaps::create());
     WL_REQUIRE(m_maps->configure(grass).ok(), "no maps fit");
+    m_rotors = taken(Rotors::create());
     m_frame = taken(gpu::Buffer::create("test frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic));
     m_settings = taken(gpu::Buffer::create("test grass", sizeof(GrassBlock), gpu::BufferUse::Dynamic));
   }
@@ -88,12 +90,12 @@ class GrassScene {
     FrameInput input;
     input.project = &m_project;
     input.time = time;
-    input.size = {64, 64};
-    input.camera.position = {0.0f, 3.0f, 10.0f};
+    input.size = size;
+    input.camera = camera;
     if (m_wind.name() != 0) {
       input.wind = {m_wind.name(), makeGridMapping(field.centre, field.size, field.resolution)};
     }
-    const FrameBlock frame = makeFrameBlock(input, defaultLight());
+    frame = makeFrameBlock(input, defaultLight());
     m_frame.write(&frame, sizeof frame);
     m_frame.bindUniform(RENDER_UBO_FRAME);
     const GrassBlock block = makeGrassBlock(grass, {}, layout(), {}, frame);
@@ -103,6 +105,7 @@ class GrassScene {
     m_solids.bind(RENDER_TEXTURE_SOLIDS);
     m_ground->bind();
     m_maps->bind();
+    m_rotors->bind(rotors, time);
     (m_wind.name() != 0 ? m_wind : m_noise).bind(RENDER_TEXTURE_WIND);
   }
   [[nodiscard]] GrassLayout layout() const { return makeGrassLayout(field, grass); }
@@ -111,12 +114,21 @@ class GrassScene {
   GrassSettings grass;
   AmbientWind ambient;
   std::shared_ptr<const HeightField> heights;
+  std::vector<Rotor> rotors;
+  ViewCamera camera = [] {
+    ViewCamera at;
+    at.position = {0.0f, 3.0f, 10.0f};
+    return at;
+  }();
+  glm::ivec2 size{64, 64};
+  FrameBlock frame{};  ///< of the last bindFrame()
 
  private:
   Project m_project;
   gpu::Texture m_noise, m_solids, m_wind;
   std::optional<GroundPass> m_ground;
   std::optional<GrassMaps> m_maps;
+  std::optional<Rotors> m_rotors;
   gpu::Buffer m_frame, m_settings;
 };
 

@@ -41,11 +41,14 @@ TEST_F(AssetCopy, AProjectsFilesAreNamedOnceInTheOrderOfItsFile) {
   Collider stone;
   stone.file = "stone.glb";
   Collider twin = stone;
+  Surface hill;
+  hill.file = "hill.glb";
+  project.surfaces = std::make_shared<std::vector<Surface>>(1, hill);
   project.terrain = terrain;
   project.grass = grass;
   project.species = std::make_shared<std::vector<Species>>(1, tuft);
   project.colliders = std::make_shared<std::vector<Collider>>(std::vector{stone, twin});
-  EXPECT_EQ(assetFiles(project), (Names{"hills.png", "mask.png", "tuft.glb", "stone.glb"}));
+  EXPECT_EQ(assetFiles(project), (Names{"hills.png", "mask.png", "tuft.glb", "stone.glb", "hill.glb"}));
 }
 
 TEST_F(AssetCopy, AllOfAProjectsFilesGoAlong) {

@@ -40,6 +40,13 @@ TEST_F(Assets, FillsMeshesAndMapsAndSharesThem) {
   collider.shape = ColliderShape::Mesh;
   collider.file = "tuft.glb";
   project.colliders = std::make_shared<std::vector<Collider>>(std::vector{collider});
+  Surface surface;
+  surface.shape = SurfaceShape::Mesh;
+  surface.file = "tuft.glb";
+  Surface lost = surface;
+  lost.shape = SurfaceShape::Hare;
+  lost.file = "gone.glb";
+  project.surfaces = std::make_shared<std::vector<Surface>>(std::vector{surface, lost});
   GrassSettings grass;
   grass.densityMap = grass.colourMap = "mask.png";
   project.grass = std::make_shared<GrassSettings>(grass);
@@ -52,18 +59,28 @@ TEST_F(Assets, FillsMeshesAndMapsAndSharesThem) {
   EXPECT_EQ(species[0].mesh->file, "tuft.glb");
   ASSERT_TRUE((*project.colliders)[0].mesh);
   EXPECT_FALSE((*project.colliders)[0].mesh->spheres.empty());
+  ASSERT_TRUE((*project.surfaces)[0].mesh);
+  EXPECT_EQ((*project.surfaces)[0].mesh->file, "tuft.glb");
+  EXPECT_TRUE((*project.surfaces)[0].mesh->spheres.empty()) << "nothing bumps into it";
+  EXPECT_FALSE((*project.surfaces)[1].mesh) << "built-in shapes need no file";
   ASSERT_TRUE(project.grass->densityPixels);
   EXPECT_EQ(project.grass->densityPixels, project.grass->colourPixels);
   EXPECT_FALSE(project.grass->heightPixels);
   const auto speciesBefore = project.species;
   const auto grassBefore = project.grass;
+  const auto surfacesBefore = project.surfaces;
   ASSERT_TRUE(loadAssets(project, file()).ok());
   EXPECT_EQ(project.species, speciesBefore) << "nothing is read again";
   EXPECT_EQ(project.grass, grassBefore);
+  EXPECT_EQ(project.surfaces, surfacesBefore);
 }
 
 TEST_F(Assets, ReportsEachFailureAtItsPlaceAndFillsTheRest) {
   Project project = with({meshSpecies(1, "gone.glb"), meshSpecies(2, "tuft.glb"), meshSpecies(3, "mask.png")});
+  Surface surface;
+  surface.shape = SurfaceShape::Mesh;
+  surface.file = "gone.glb";
+  project.surfaces = std::make_shared<std::vector<Surface>>(1, surface);
   GrassSettings grass;
   grass.heightMap = "gone.png";
   grass.densityMap = "mask.png";
@@ -71,11 +88,12 @@ TEST_F(Assets, ReportsEachFailureAtItsPlaceAndFillsTheRest) {
   const Status loaded = loadAssets(project, file());
   ASSERT_FALSE(loaded.ok());
   const std::vector<Problem>& problems = loaded.error().problems;
-  ASSERT_EQ(problems.size(), 3u);
+  ASSERT_EQ(problems.size(), 4u);
   EXPECT_EQ(problems[0].pointer, "/species/0/file");
   EXPECT_NE(problems[0].message.find("gone.glb"), std::string::npos);
   EXPECT_EQ(problems[1].pointer, "/species/2/file");
-  EXPECT_EQ(problems[2].pointer, "/grass/maps/height");
+  EXPECT_EQ(problems[2].pointer, "/surfaces/0/file");
+  EXPECT_EQ(problems[3].pointer, "/grass/maps/height");
   EXPECT_FALSE((*project.species)[0].mesh);
   EXPECT_TRUE((*project.species)[1].mesh);
   EXPECT_TRUE(project.grass->densityPixels);

@@ -41,6 +41,16 @@ TEST(ProjectJson, ReadsEveryKindOfRecord) {
   EXPECT_EQ(project.colliders->at(0).position, glm::vec2(2, 3));
   EXPECT_EQ(project.colliders->at(0).keys, (std::vector<ColliderKey>{{0, {0, 0, 0}}, {1.5f, {4, 0.25f, -2}}}));
   EXPECT_EQ(project.colliders->at(1).shape, ColliderShape::Mesh);
+  EXPECT_EQ(project.bezier->tufts, 0.6f);
+  EXPECT_EQ(project.bezier->form, BladeForm::Quadratic);
+  EXPECT_EQ(project.bezier->wind, BezierWind::Both);
+  EXPECT_EQ(project.bezier->gravityDirection, glm::vec3(0, -2, 0.5f));
+  EXPECT_EQ(project.bezier->collisionFade, 0.2f);
+  EXPECT_EQ(project.surfaces->at(0).shape, SurfaceShape::Moebius);
+  EXPECT_TRUE(project.surfaces->at(0).bothSides);
+  EXPECT_EQ(project.surfaces->at(1).file, "assets/stone.glb");
+  EXPECT_EQ(project.rotors->at(0).position, glm::vec2(-3, 1));
+  EXPECT_EQ(project.rotors->at(0).rings, 0.8f);
   EXPECT_EQ(project.probes->at(0).id, 40u);
   EXPECT_EQ(project.cameras->at(0).position, glm::vec3(0, 2, 9));
 }
@@ -64,7 +74,8 @@ TEST(ProjectJson, ReportsUnknownKeysAtTheirPlace) {
   }
   EXPECT_EQ(pointers,
             (Pointers{"/field/later", "/field/borders/floor", "/ambient/gusts/colour", "/graph/points/1/tag",
-                      "/graph/layers", "/grass/maps/wet", "/species/1/season", "/colliders/0/mass", "/studio"}));
+                      "/graph/layers", "/grass/maps/wet", "/bezier/tufts/moss", "/bezier/dew", "/species/1/season",
+                      "/colliders/0/mass", "/surfaces/1/grain", "/rotors/0/noise", "/studio"}));
 }
 
 TEST(ProjectJson, EscapesKeysInPointers) {
@@ -104,6 +115,7 @@ TEST(ProjectJson, DoesNotBlameArrowsForABrokenPoint) {
 TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
   const std::pair<const char*, const char*> expected[] = {
       {"array", ""},
+      {"bezier-without-gravity", "/bezier/gravity/direction"},
       {"beyond-float", "/graph/points/0/position"},
       {"collider-key-backwards", "/colliders/0/keys/2"},
       {"collider-key-short", "/colliders/0/keys/1"},
@@ -116,6 +128,7 @@ TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
       {"empty", ""},
       {"id-of-point-and-arrow", "/graph/arrows/0/id"},
       {"id-of-species-and-collider", "/colliders/0/id"},
+      {"id-of-surface-and-rotor", "/rotors/0/id"},
       {"keys-not-ascending", "/graph/signals/0/keys/1"},
       {"map-outside", "/grass/maps/density"},
       {"missing-format", "/format"},
@@ -205,6 +218,21 @@ TEST(ProjectJson, ReadsCollidersAndSpeciesWithNothingButTheirId) {
       problemPointers(parseProject(
           R"({"format": "windloom-project", "version": 1, "species": [{}], "colliders": [{"radius": 2}, 3]})", "x")),
       (Pointers{"/colliders/0/id", "/colliders/1", "/colliders/1/id", "/species/0/id"}));
+}
+
+TEST(ProjectJson, ReadsSurfacesAndRotorsWithNothingButTheirId) {
+  const Result<LoadedProject> loaded = parseProject(
+      R"({"format": "windloom-project", "version": 1, "surfaces": [{"id": 1}], "rotors": [{"id": 2}]})", "x");
+  ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+  Surface surface;
+  surface.id = 1;
+  Rotor rotor;
+  rotor.id = 2;
+  EXPECT_EQ(loaded->project.surfaces->at(0), surface);
+  EXPECT_EQ(loaded->project.rotors->at(0), rotor);
+  EXPECT_EQ(problemPointers(parseProject(
+                R"({"format": "windloom-project", "version": 1, "surfaces": [{}, 3], "rotors": {"id": 2}})", "x")),
+            (Pointers{"/rotors", "/surfaces/0/id", "/surfaces/1", "/surfaces/1/id"}));
 }
 
 TEST(ProjectJson, SyntaxErrorsSayThatItIsNoJson) {

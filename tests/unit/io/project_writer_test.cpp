@@ -30,7 +30,8 @@ TEST(ProjectJson, UnknownKeysAreWrittenBackAtTheirObject) {
   for (const char* kept :
        {R"("floor": "moss"})", R"("later": [1, {"a": null}]})", R"("colour": "blue"})", R"("tag": 0.001})",
         R"("layers": {"x": 1})", R"("studio": {"owner": "Ada", "big": 18446744073709551615})",
-        R"("maps": {"density": "assets/mask.png", "wet": 1})", R"("season": "may"})", R"("mass": 3})"}) {
+        R"("maps": {"density": "assets/mask.png", "wet": 1})", R"("season": "may"})", R"("mass": 3})", R"("moss": 2})",
+        R"("dew": true})", R"("grain": 3})", R"("noise": "loud"})"}) {
     EXPECT_NE(text.find(kept), std::string::npos) << kept << "\n" << text;
   }
 }
@@ -49,14 +50,25 @@ TEST(ProjectJson, WritesOneRecordALineWithoutDefaults) {
         "\n    {\"id\": 70, \"shape\": \"sphere\", \"position\": [2, 3], \"radius\": 0.4, \"keys\": [[0, 0, 0, 0], "
         "[1.5, 4, 0.25, -2]], \"mass\": 3},\n",
         "\n    {\"id\": 71, \"shape\": \"mesh\", \"position\": [0, 0], \"file\": \"assets/rock.glb\"}\n",
+        "\n    {\"id\": 80, \"name\": \"band\", \"shape\": \"moebius\", \"position\": [1, 2], \"size\": 6, \"tilt\": "
+        "20, "
+        "\"density\": 900, \"height\": 0.15, \"bothSides\": true},\n",
+        "\n    {\"id\": 81, \"shape\": \"mesh\", \"position\": [4, 4], \"file\": \"assets/stone.glb\", \"density\": "
+        "1500, "
+        "\"height\": 0.15, \"grain\": 3}\n",
+        "\n    {\"id\": 90, \"position\": [-3, 1], \"lift\": 8, \"radius\": 4, \"speed\": 16, \"rings\": 0.8, "
+        "\"noise\": \"loud\"}\n",
         "\n    {\"id\": 40, \"position\": [3, 4]}\n"}) {
     EXPECT_NE(text.find(line), std::string::npos) << line << "\n" << text;
   }
 }
 
-TEST(ProjectJson, FilesFromBeforeSpeciesAndCollidersGetEmptyLists) {
+TEST(ProjectJson, FilesFromBeforeASettingOrListGetItsDefault) {
   const std::string text = writeProject(read(R"({"format": "windloom-project", "version": 1})"));
-  EXPECT_NE(text.find("},\n  \"species\": [],\n  \"colliders\": [],\n  \"probes\": []"), std::string::npos) << text;
+  const char* lists =
+      "},\n  \"species\": [],\n  \"colliders\": [],\n  \"surfaces\": [],\n  \"rotors\": [],\n  \"probes\": []";
+  EXPECT_NE(text.find(lists), std::string::npos) << text;
+  EXPECT_NE(text.find("},\n  \"bezier\": {\"most\": 1000000, \"tufts\": {\"share\": 0.35,"), std::string::npos) << text;
   EXPECT_EQ(text.find("\"maps\""), std::string::npos) << "no maps, no key";
   EXPECT_NE(text.find(R"("swing": {"rate": 1.4, "damping": 0.18, "exponent": 1.3333334})"), std::string::npos) << text;
 }

@@ -11,7 +11,7 @@ namespace {
 template <class Owner>
 class ParameterTables : public testing::Test {};
 using Owners = testing::Types<FieldSettings, SolverSettings, AmbientWind, Point, Arrow, Signal, Obstacle, Species,
-                              Collider, Probe, Camera, TerrainSettings, GrassSettings>;
+                              Collider, Surface, Rotor, Probe, Camera, TerrainSettings, GrassSettings, BezierSettings>;
 TYPED_TEST_SUITE(ParameterTables, Owners);
 
 }  // namespace

@@ -123,10 +123,13 @@ TEST(Parameters, DefaultsAreLegalAndExplained) {
   expectLegalDefaults<Obstacle>();
   expectLegalDefaults<Species>();
   expectLegalDefaults<Collider>();
+  expectLegalDefaults<Surface>();
+  expectLegalDefaults<Rotor>();
   expectLegalDefaults<Probe>();
   expectLegalDefaults<Camera>();
   expectLegalDefaults<TerrainSettings>();
   expectLegalDefaults<GrassSettings>();
+  expectLegalDefaults<BezierSettings>();
 }
 
 TEST(Parameters, ProblemsNameWhatWasFoundAndExpected) {
@@ -304,6 +307,62 @@ TEST(Validate, IdsAreUniqueOverSpeciesAndCollidersToo) {
   EXPECT_EQ(pointersOf(project), (Pointers{"/species/0/id", "/colliders/1/id"}));
 }
 
+TEST(Validate, SurfacesNeedTheFilesOfTheirMeshes) {
+  Project project;
+  Surface rock;
+  rock.id = 1;
+  const auto pointers = [&](SurfaceShape shape, const char* file) {
+    rock.shape = shape;
+    rock.file = file;
+    project.surfaces = std::make_shared<std::vector<Surface>>(1, rock);
+    return pointersOf(project);
+  };
+  EXPECT_EQ(pointers(SurfaceShape::Hare, ""), Pointers{});
+  EXPECT_EQ(pointers(SurfaceShape::Mesh, ""), Pointers{"/surfaces/0/file"});
+  EXPECT_EQ(pointers(SurfaceShape::Mesh, "assets/rock.glb"), Pointers{});
+  EXPECT_EQ(pointers(SurfaceShape::Mesh, "../rock.glb"), Pointers{"/surfaces/0/file"});
+  EXPECT_EQ(pointers(SurfaceShape::Hare, "/rock.glb"), Pointers{"/surfaces/0/file"}) << "kept for the mesh";
+}
+
+TEST(Validate, RefusesValuesOutOfRangeInSurfacesAndRotors) {
+  Project project;
+  Surface ball;
+  ball.id = 1;
+  ball.size = 0;
+  ball.density = std::numeric_limits<float>::quiet_NaN();
+  Rotor rotor;
+  rotor.id = 2;
+  rotor.lift = -1;
+  rotor.rings = 1.5f;
+  project.surfaces = std::make_shared<std::vector<Surface>>(1, ball);
+  project.rotors = std::make_shared<std::vector<Rotor>>(1, rotor);
+  EXPECT_EQ(pointersOf(project),
+            (Pointers{"/surfaces/0/size", "/surfaces/0/density", "/rotors/0/lift", "/rotors/0/rings"}));
+}
+
+TEST(Validate, GravityOfBezierGrassNeedsADirectionOfAnyLength) {
+  const auto pointers = [](glm::vec3 direction) {
+    Project project;
+    project.bezier = changed(project.bezier, [&](BezierSettings& b) { b.gravityDirection = direction; });
+    return pointersOf(project);
+  };
+  EXPECT_EQ(pointers({0, 0, 0}), Pointers{"/bezier/gravity/direction"});
+  EXPECT_EQ(pointers({0, 0, 0.001f}), Pointers{});
+  EXPECT_EQ(pointers({0, 50, 0}), Pointers{});
+  EXPECT_EQ(pointers({0, std::numeric_limits<float>::quiet_NaN(), 0}), Pointers{"/bezier/gravity/direction"});
+}
+
+TEST(Validate, IdsAreUniqueOverSurfacesAndRotorsToo) {
+  Project project = projectOf(line());
+  Surface ball;
+  ball.id = 1;  // a point's
+  Rotor rotor;
+  rotor.id = 60;
+  project.surfaces = std::make_shared<std::vector<Surface>>(1, ball);
+  project.rotors = std::make_shared<std::vector<Rotor>>(2, rotor);
+  EXPECT_EQ(pointersOf(project), (Pointers{"/surfaces/0/id", "/rotors/1/id"}));
+}
+
 TEST(Validate, RefusesACameraThatLooksAtItself) {
   Project project;
   Camera camera;
@@ -328,6 +387,12 @@ TEST(Validate, RefusesMoreRecordsThanThereMayBe) {
   project.species = std::make_shared<std::vector<Species>>();
   project.colliders = std::make_shared<std::vector<Collider>>(kMaxColliders + 1);
   EXPECT_EQ(pointersOf(project).front(), "/colliders");
+  project.colliders = std::make_shared<std::vector<Collider>>();
+  project.surfaces = std::make_shared<std::vector<Surface>>(kMaxSurfaces + 1);
+  EXPECT_EQ(pointersOf(project).front(), "/surfaces");
+  project.surfaces = std::make_shared<std::vector<Surface>>();
+  project.rotors = std::make_shared<std::vector<Rotor>>(kMaxRotors + 1);
+  EXPECT_EQ(pointersOf(project).front(), "/rotors");
 }
 
 TEST(ValidateChange, ReadsWhatChangedAndWhatBindsItToTheRest) {

@@ -1,4 +1,4 @@
-#include "engine/render/touch_clock.hpp"
+#include "engine/grass/touch_clock.hpp"
 
 #include <gtest/gtest.h>
 

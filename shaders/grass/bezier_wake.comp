@@ -1,0 +1,58 @@
+#version 450 core
+// Which patches of Bezier grass are stepped: those that are seen, or that something may touch. The others sleep, and are told when they
+// wake for how long they did.
+#include "shaders/shared/bezier_blade.h"
+#include "shaders/shared/bezier_physics.h"
+#include "shaders/shared/render_bindings.h"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = RENDER_SSBO_BEZIER_CLOCKS) buffer Clocks { BezierClock clocks[]; };
+layout(std430, binding = RENDER_SSBO_BEZIER_PATCHES) readonly buffer Patches { BezierPatch patches[]; };
+layout(std430, binding = RENDER_SSBO_BEZIER_SEEN) readonly buffer Seen { uint seen[]; };
+layout(std430, binding = RENDER_SSBO_BEZIER_LIST) writeonly buffer List { BezierWork works[]; };
+layout(std430, binding = RENDER_SSBO_BEZIER_COMMANDS) buffer Commands { uint groupsX; };
+layout(std430, binding = RENDER_SSBO_BEZIER_PRIMITIVES) readonly buffer Movers {
+  BezierRun runs[BEZIER_RUNS];
+  BezierMover movers[];
+};
+
+uniform uint patchCount;
+uniform uint kept;
+uniform uint moverCount;
+uniform float stepSeconds;
+uniform bool jumped;   // all that is known belongs to another time
+uniform bool looksOn;  // the patches that are seen are stepped, too
+
+bool apart(BezierPatch at, vec3 low, vec3 high) {
+  return any(greaterThan(low, at.centre.xyz + at.reach.xyz)) || any(lessThan(high, at.centre.xyz - at.reach.xyz));
+}
+
+bool touched(BezierPatch at) {
+  for (uint run = 0u; run * BEZIER_RUN < moverCount; ++run) {
+    if (apart(at, runs[run].low.xyz, runs[run].high.xyz)) continue;
+    uint end = min((run + 1u) * BEZIER_RUN, moverCount);
+    for (uint i = run * BEZIER_RUN; i < end; ++i) {
+      BezierMover mover = movers[i];
+      vec3 low = min(min(mover.a.xyz, mover.b.xyz), min(mover.laterA.xyz, mover.laterB.xyz));
+      vec3 high = max(max(mover.a.xyz, mover.b.xyz), max(mover.laterA.xyz, mover.laterB.xyz));
+      if (!apart(at, low - mover.a.w, high + mover.a.w)) return true;
+    }
+  }
+  return false;
+}
+
+void main() {
+  uint index = gl_GlobalInvocationID.x;
+  if (index >= patchCount) return;
+  BezierClock clock = clocks[index];
+  if (jumped) clock = BezierClock(0.0, 0u);
+  bool hit = moverCount > 0u && touched(patches[index]);
+  bool due = clock.known < kept || clock.pending + stepSeconds > 0.0;
+  if (due && (hit || (looksOn && seen[index] != 0u))) {
+    works[atomicAdd(groupsX, 1u)] = BezierWork(index, min(clock.known, kept), clock.pending, hit ? 1u : 0u);
+    clock = BezierClock(0.0, kept);
+  } else {
+    clock.pending += stepSeconds;
+  }
+  clocks[index] = clock;
+}
