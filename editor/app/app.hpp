@@ -48,6 +48,7 @@ class App {
   void registerSolverActions();
   void registerFileActions();
   void registerViewActions();
+  void registerGrassViewActions();
   void readPreferences();
   void readOverlays();
   void writePreferences();

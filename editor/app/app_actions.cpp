@@ -5,6 +5,7 @@
 #include <string>
 
 #include "editor/app/app.hpp"
+#include "editor/panels/grass_view.hpp"
 #include "engine/session/solver_scheme.hpp"
 
 namespace windloom::editor {
@@ -179,6 +180,15 @@ void App::registerFileActions() {
                  const glm::vec2 place = freePlace(m_workspace, kReachM);
                  m_inspector.assets().browse(m_workspace, {.use = AssetUse::Collider, .place = place});
                }});
+  actions.add({.id = "add.surface_file",
+               .label = "Add surface from glTF...",
+               .category = "Add",
+               .help = "A thing from a file, in the middle of the view, with Bezier grass all over it.",
+               .run = [this] {
+                 constexpr float kReachM = 0.5f;
+                 const glm::vec2 place = freePlace(m_workspace, kReachM);
+                 m_inspector.assets().browse(m_workspace, {.use = AssetUse::Surface, .place = place});
+               }});
 }
 
 /// One for each preset: its settings on the project, undone like any other edit.
@@ -201,6 +211,31 @@ void App::registerSolverActions() {
   }
 }
 
+/// How Bezier grass is looked at; no part of the project.
+void App::registerGrassViewActions() {
+  ActionTable& actions = m_workspace.actions;
+  const auto grows = [this] { return m_workspace.document.project().grass->kind == GrassKind::Bezier; };
+  for (const GrassViewEntry& entry : kGrassViews) {
+    actions.add({.id = std::string("grass_view.") + entry.name,
+                 .label = std::string("Grass view: ") + entry.label,
+                 .category = "Grass",
+                 .help = entry.help,
+                 .run = [this, view = entry.view] { m_viewport.grassView = view; },
+                 .enabled = grows,
+                 .checked = [this, view = entry.view] { return m_viewport.grassView == view; }});
+  }
+  for (const CullingEntry& entry : kCullingTests) {
+    const auto on = entry.on;
+    actions.add({.id = std::string("cull.") + entry.name,
+                 .label = std::string("Leave out blades: ") + entry.label,
+                 .category = "Grass",
+                 .help = entry.help,
+                 .run = [this, on] { m_viewport.bezierCulling.*on = !(m_viewport.bezierCulling.*on); },
+                 .enabled = grows,
+                 .checked = [this, on] { return m_viewport.bezierCulling.*on; }});
+  }
+}
+
 void App::registerViewActions() {
   ActionTable& actions = m_workspace.actions;
   for (const OverlayEntry& entry : kOverlayEntries) {
@@ -216,6 +251,7 @@ void App::registerViewActions() {
                  .run = [this, kind] { setOn(m_viewport.overlays, *kind, !isOn(m_viewport.overlays, *kind)); },
                  .checked = [this, kind] { return isOn(m_viewport.overlays, *kind); }});
   }
+  registerGrassViewActions();
   actions.add({.id = "view.full_quality",
                .label = "Full quality",
                .category = "View",

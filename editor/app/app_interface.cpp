@@ -93,7 +93,7 @@ void App::drawAreas(PanelContext& context) {
   if (resized) writePreferences();
 
   beginArea("toolbar", {0, top}, {display.x, areaTop}, Back::Header);
-  drawToolbar(m_workspace);
+  drawToolbar(context);
   endArea();
   beginArea("outliner", {0, areaTop}, {left, areaBottom}, Back::Panel);
   m_outliner.draw(context);

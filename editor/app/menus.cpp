@@ -4,6 +4,7 @@
 #include <iterator>
 #include <string>
 
+#include "editor/panels/grass_view.hpp"
 #include "editor/widgets/icons.hpp"
 #include "engine/core/file.hpp"
 #include "engine/model/templates.hpp"
@@ -116,17 +117,42 @@ void gap() {
   ImGui::SameLine(0, 0);
 }
 
-/// All kinds of plants to add.
-void speciesMenu(ActionTable& actions) {
-  const bool pressed = ImGui::Button(icons::icon(icons::kPlant, "Species"), {look().hasIcons ? scaled(32) : 0, 0});
-  markItem("toolbar/species");
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("Add species");
+/// A button that opens a popup with its name; true while that is open.
+bool popupButton(const char* name, const char* symbol, const char* text, const char* help) {
+  const bool pressed = ImGui::Button(icons::icon(symbol, text), {look().hasIcons ? scaled(32) : 0, 0});
+  markItem(std::string("toolbar/") + name);
+  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
   ImGui::SameLine(0, scaled(3));
-  if (pressed) ImGui::OpenPopup("species");
-  if (!ImGui::BeginPopup("species")) return;
+  if (pressed) ImGui::OpenPopup(name);
+  return ImGui::BeginPopup(name);
+}
+
+/// All things of one kind to add.
+void addMenu(ActionTable& actions, const char* name, const char* symbol, const char* text, const char* start) {
+  if (!popupButton(name, symbol, text, start)) return;
   for (const Action& action : actions.all())
-    if (action.category == "Add" && action.label.starts_with("Add species")) actionItem(actions, action);
+    if (action.category == "Add" && action.label.starts_with(start)) actionItem(actions, action);
   ImGui::EndPopup();
+}
+
+/// Only with Bezier grass.
+void grassViewButton(PanelContext& context) {
+  if (context.project().grass->kind != GrassKind::Bezier) return;
+  if (!popupButton("grass_view", icons::kEye, "Grass", "How the grass is looked at, and what is left out of it"))
+    return;
+  drawGrassView(context);
+  ImGui::EndPopup();
+}
+
+void grassViewMenu(ActionTable& actions, const Project& project) {
+  const bool open = ImGui::BeginMenu("Grass view", project.grass->kind == GrassKind::Bezier);
+  markItem("menu/Grass view");
+  if (!open) return;
+  for (const Action& action : actions.all()) {
+    if (action.id == "cull.orientation") ImGui::Separator();
+    if (action.category == "Grass") actionItem(actions, action);
+  }
+  ImGui::EndMenu();
 }
 
 /// In place of buttons that would not fit.
@@ -160,6 +186,7 @@ void drawMenuBar(Workspace& workspace) {
       actionItem(actions, action);
       if (action.id == "file.new") templatesMenu(workspace);
       if (action.id == "view.camera_store") camerasMenu(workspace);
+      if (action.id == "grass.none") grassViewMenu(actions, workspace.document.project());
       if (action.id == "file.open") {
         recentMenu(workspace);
         samplesMenu(workspace);
@@ -175,16 +202,19 @@ void drawMenuBar(Workspace& workspace) {
   ImGui::EndMenuBar();
 }
 
-void drawToolbar(Workspace& workspace) {
-  ActionTable& actions = workspace.actions;
+void drawToolbar(PanelContext& context) {
+  ActionTable& actions = context.workspace.actions;
   for (const ToolButton& button : kTools) toolButton(actions, button, false);
-  speciesMenu(actions);
+  addMenu(actions, "species", icons::kPlant, "Species", "Add species");
+  addMenu(actions, "surfaces", icons::kSurface, "Surface", "Add surface");
+  toolButton(actions, {"add.rotor", icons::kRotor, "Rotor"}, false);
   gap();
   for (const ToolButton& button : kEdits) toolButton(actions, button, false);
   gap();
   const bool playing = actions.checked("play.toggle");
   toolButton(actions, {"play.toggle", playing ? icons::kPause : icons::kPlay, playing ? "Pause" : "Play"}, false);
   gap();
+  grassViewButton(context);
   drawOverlayButtons(actions);
 }
 

@@ -1,7 +1,7 @@
 #pragma once
 // Menu bar and toolbar, both made from the table of actions.
 
-#include "editor/core/workspace.hpp"
+#include "editor/panels/panel_context.hpp"
 
 namespace windloom::editor {
 
@@ -9,6 +9,6 @@ namespace windloom::editor {
 void drawMenuBar(Workspace& workspace);
 
 /// One row of buttons.
-void drawToolbar(Workspace& workspace);
+void drawToolbar(PanelContext& context);
 
 }  // namespace windloom::editor

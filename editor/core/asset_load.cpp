@@ -12,7 +12,11 @@ namespace fs = std::filesystem;
 namespace {
 
 bool isMap(AssetUse use) {
-  return use != AssetUse::Species && use != AssetUse::Collider;
+  return use == AssetUse::DensityMap || use == AssetUse::HeightMap || use == AssetUse::ColourMap;
+}
+
+MeshUse meshUseOf(AssetUse use) {
+  return use == AssetUse::Species ? MeshUse::Plant : use == AssetUse::Surface ? MeshUse::Surface : MeshUse::Object;
 }
 
 Result<std::string> bring(const fs::path& file, const fs::path& projectFile, const LoadWatch& watch) {
@@ -34,8 +38,7 @@ Result<LoadedAsset> load(const AssetTarget& target, const fs::path& file, const 
     asset.map = *map;
     return asset;
   }
-  const Result<std::shared_ptr<PlantMesh>> mesh =
-      readPlantFile(file, target.use == AssetUse::Species ? MeshUse::Plant : MeshUse::Object);
+  const Result<std::shared_ptr<PlantMesh>> mesh = readPlantFile(file, meshUseOf(target.use));
   if (!mesh) return mesh.error();
   const Result<std::string> name = bring(file, projectFile, watch);
   if (!name) return name.error();
@@ -67,6 +70,12 @@ void give(Collider& collider, const LoadedAsset& asset) {
   collider.mesh = asset.mesh;
 }
 
+void give(Surface& surface, const LoadedAsset& asset) {
+  surface.shape = SurfaceShape::Mesh;
+  surface.file = asset.mesh->file;
+  surface.mesh = asset.mesh;
+}
+
 template <class Record>
 void giveEach(Edit& edit, const std::vector<Record>& records, const LoadedAsset& asset) {
   for (Record record : records) {
@@ -85,6 +94,13 @@ AddResult addWith(const Project& project, const LoadedAsset& asset) {
     give(species, asset);
     return addSpeciesEdit(project, std::move(species));
   }
+  if (asset.target.use == AssetUse::Surface) {
+    Surface surface;
+    surface.name = name;
+    surface.position = asset.target.place;
+    give(surface, asset);
+    return addSurfaceEdit(project, std::move(surface));
+  }
   Collider collider;
   collider.name = name;
   collider.position = asset.target.place;
@@ -93,12 +109,17 @@ AddResult addWith(const Project& project, const LoadedAsset& asset) {
 }
 
 /// `ask` is asked about the target's first record; `none` where there is none.
-template <class Records, class Ask, class Answer>
-Answer ofFirst(const Records& records, const std::vector<Id>& ids, Ask&& ask, Answer none) {
-  for (const auto& record : records) {
-    if (std::ranges::find(ids, record.id) != ids.end()) return ask(record);
-  }
-  return none;
+template <class Ask, class Answer>
+Answer ofFirst(const Project& project, const AssetTarget& target, Ask&& ask, Answer none) {
+  const auto in = [&](const auto& records) {
+    for (const auto& record : records) {
+      if (std::ranges::find(target.ids, record.id) != target.ids.end()) return ask(record);
+    }
+    return none;
+  };
+  return target.use == AssetUse::Species   ? in(*project.species)
+         : target.use == AssetUse::Surface ? in(*project.surfaces)
+                                           : in(*project.colliders);
 }
 
 }  // namespace
@@ -125,6 +146,8 @@ AddResult assetEdit(const Project& project, const LoadedAsset& asset) {
   AddResult result{{.label = "Set file", .steps = {}, .mergeKey = {}}, 0};
   if (target.use == AssetUse::Species) {
     giveEach(result.edit, *project.species, asset);
+  } else if (target.use == AssetUse::Surface) {
+    giveEach(result.edit, *project.surfaces, asset);
   } else {
     giveEach(result.edit, *project.colliders, asset);
   }
@@ -142,15 +165,13 @@ Edit clearMapEdit(const Project& project, AssetUse map) {
 
 std::string assetFileOf(const Project& project, const AssetTarget& target) {
   const auto file = [](const auto& record) { return record.file; };
-  if (target.use == AssetUse::Species) return ofFirst(*project.species, target.ids, file, std::string());
-  if (target.use == AssetUse::Collider) return ofFirst(*project.colliders, target.ids, file, std::string());
+  if (!isMap(target.use)) return ofFirst(project, target, file, std::string());
   return (*project.grass).*nameOf(target.use);
 }
 
 bool isAssetRead(const Project& project, const AssetTarget& target) {
   const auto read = [](const auto& record) { return record.file.empty() || record.mesh != nullptr; };
-  if (target.use == AssetUse::Species) return ofFirst(*project.species, target.ids, read, true);
-  if (target.use == AssetUse::Collider) return ofFirst(*project.colliders, target.ids, read, true);
+  if (!isMap(target.use)) return ofFirst(project, target, read, true);
   return ((*project.grass).*nameOf(target.use)).empty() || (*project.grass).*pixelsOf(target.use) != nullptr;
 }
 

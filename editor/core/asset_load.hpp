@@ -1,6 +1,6 @@
 #pragma once
-// Reading the files of species, colliders and maps of the grass beside the frame loop, and bringing them into the
-// project's folder.
+// Reading the files of species, colliders, surfaces and maps of the grass beside the frame loop, and bringing them into
+// the project's folder.
 
 #include <filesystem>
 #include <memory>
@@ -12,13 +12,13 @@
 
 namespace windloom::editor {
 
-enum class AssetUse { Species, Collider, DensityMap, HeightMap, ColourMap };
+enum class AssetUse { Species, Collider, Surface, DensityMap, HeightMap, ColourMap };
 
 /// What a file is for.
 struct AssetTarget {
   AssetUse use = AssetUse::Species;
-  std::vector<Id> ids = {};  ///< the species or colliders that get it; none: a new one
-  glm::vec2 place{0.0f};     ///< m: of a new collider
+  std::vector<Id> ids = {};  ///< the records that get it; none: a new one
+  glm::vec2 place{0.0f};     ///< m: of a new collider or surface
 };
 /// The endings that such a file may have, as FileBrowser wants them: ".glb;.gltf".
 const char* assetEndings(AssetUse use);

@@ -284,6 +284,7 @@ void addGrassActions(Workspace& workspace) {
         [wanted](Workspace& w) { return w.document.project().grass->kind == wanted; });
   };
   kind("grass.instanced", "Instanced grass", "Grass of single blades, each drawn", "1", GrassKind::Instanced);
+  kind("grass.bezier", "Bezier grass", "Blades with a memory each, on ground and surfaces", "2", GrassKind::Bezier);
   kind("grass.none", "No grass", "Bare ground, to see the wind alone", "4", GrassKind::None);
 }
 

@@ -18,7 +18,8 @@ constexpr float kWheelFactor = 1.1f;
 /// The point under the pixel, not `except`.
 Id pointAt(const ToolContext& context, glm::vec2 pixel, Id except) {
   if (!context.settings.snap.points) return 0;
-  PickOptions options{.arrows = false, .obstacles = false, .colliders = false, .probes = false, .ignore = except};
+  PickOptions options = onlyPoints();
+  options.ignore = except;
   options.radiusPx = context.settings.hitRadiusPx;
   // The committed project: during a drag the preview holds the very point that is drawn.
   const std::vector<Hit> hits = pick(context.document.committed(), context.view, context.ground, pixel, options);

@@ -6,6 +6,7 @@
 
 #include "editor/core/collider_shape.hpp"
 #include "editor/core/object_edits.hpp"
+#include "editor/core/surface_shape.hpp"
 #include "engine/model/outline.hpp"
 
 namespace windloom::editor {
@@ -80,6 +81,23 @@ void addCollider(const ToolContext& context, std::vector<Grip>& grips) {
   // One that moves points along its way.
   if (c->shape == ColliderShape::Sphere || c->keys.size() > 1) return;
   add(GripKind::Turn, {reachOf(*c) + metresFor(context, c->position, 28.0f), 0.0f});
+}
+
+void addSurface(const ToolContext& context, std::vector<Grip>& grips) {
+  const Surface* s = findSurface(context.document.project(), context.selection.active());
+  if (!s || s->hidden || s->locked) return;
+  const float edge = boxOf(*s).high.x;
+  const auto add = [&](GripKind kind, float along) {
+    grips.push_back({kind, s->id, 0, toWorld(*s, {along, 0.0f}), s->position});
+  };
+  add(GripKind::Radius, edge);
+  add(GripKind::Turn, edge + metresFor(context, s->position, 28.0f));
+}
+
+void addRotor(const ToolContext& context, std::vector<Grip>& grips) {
+  const Rotor* r = findRotor(context.document.project(), context.selection.active());
+  if (!r || r->hidden || r->locked) return;
+  grips.push_back({GripKind::Radius, r->id, 0, r->position + glm::vec2(r->radius, 0.0f), r->position});
 }
 
 /// Pixels from the pointer; infinite behind the camera.
@@ -159,6 +177,8 @@ std::vector<Grip> gripsOf(const ToolContext& context, SelectKind tool) {
   if (tool == SelectKind::Select || tool == SelectKind::Move) {
     addOutline(context, grips);
     addCollider(context, grips);
+    addSurface(context, grips);
+    addRotor(context, grips);
   }
   if (tool != SelectKind::Select) addGizmo(context, tool, grips);
   return grips;
@@ -175,7 +195,8 @@ std::optional<Grip> gripAt(const ToolContext& context, SelectKind tool, glm::vec
     best = grip;
   }
   if (best && yields(*best)) {
-    for (const Hit& hit : context.hits(pixel, {.arrows = false, .obstacles = false, .colliders = false})) {
+    for (const Hit& hit : context.hits(
+             pixel, {.arrows = false, .obstacles = false, .colliders = false, .surfaces = false, .rotors = false})) {
       if (!context.selection.contains(hit.id)) return std::nullopt;
     }
   }
@@ -212,7 +233,7 @@ std::string gripHint(const Grip& grip) {
     case GripKind::Ring:
       return "Drag around to turn";
     case GripKind::Radius:
-      return "Drag to change the radius";
+      return "Drag to change how large it is";
     case GripKind::Side:
       return "Drag to move this side; the opposite one stays";
     case GripKind::Turn:

@@ -56,6 +56,7 @@ std::map<const void*, std::size_t> filesOf(const Project& project) {
   };
   for (const Species& species : *project.species) add(species.mesh);
   for (const Collider& collider : *project.colliders) add(collider.mesh);
+  for (const Surface& surface : *project.surfaces) add(surface.mesh);
   add(project.grass->densityPixels);
   add(project.grass->heightPixels);
   add(project.grass->colourPixels);
@@ -80,8 +81,11 @@ std::size_t partBytes(const Project* before, const Project& project) {
   add(&Project::obstacles);
   add(&Project::terrain);
   add(&Project::grass);
+  add(&Project::bezier);
   add(&Project::species);
   add(&Project::colliders);
+  add(&Project::surfaces);
+  add(&Project::rotors);
   add(&Project::probes);
   add(&Project::cameras);
   add(&Project::extra);

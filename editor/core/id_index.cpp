@@ -14,6 +14,8 @@ IdIndex::IdIndex(const Project& project) : m_project(project) {
   fill(*project.obstacles, ObjectKind::Obstacle);
   fill(*project.species, ObjectKind::Species);
   fill(*project.colliders, ObjectKind::Collider);
+  fill(*project.surfaces, ObjectKind::Surface);
+  fill(*project.rotors, ObjectKind::Rotor);
   fill(*project.probes, ObjectKind::Probe);
   fill(*project.cameras, ObjectKind::Camera);
 }
@@ -44,6 +46,12 @@ const Species* IdIndex::species(Id id) const {
 }
 const Collider* IdIndex::collider(Id id) const {
   return record(id, ObjectKind::Collider, *m_project.colliders);
+}
+const Surface* IdIndex::surface(Id id) const {
+  return record(id, ObjectKind::Surface, *m_project.surfaces);
+}
+const Rotor* IdIndex::rotor(Id id) const {
+  return record(id, ObjectKind::Rotor, *m_project.rotors);
 }
 const Probe* IdIndex::probe(Id id) const {
   return record(id, ObjectKind::Probe, *m_project.probes);

@@ -28,6 +28,8 @@ class IdIndex {
   [[nodiscard]] const Obstacle* obstacle(Id id) const;
   [[nodiscard]] const Species* species(Id id) const;
   [[nodiscard]] const Collider* collider(Id id) const;
+  [[nodiscard]] const Surface* surface(Id id) const;
+  [[nodiscard]] const Rotor* rotor(Id id) const;
   [[nodiscard]] const Probe* probe(Id id) const;
   [[nodiscard]] const Camera* camera(Id id) const;
 

@@ -46,6 +46,10 @@ struct RecordAccess {
       return *project.species;
     else if constexpr (std::is_same_v<Owner, Collider>)
       return *project.colliders;
+    else if constexpr (std::is_same_v<Owner, Surface>)
+      return *project.surfaces;
+    else if constexpr (std::is_same_v<Owner, Rotor>)
+      return *project.rotors;
     else if constexpr (std::is_same_v<Owner, Probe>)
       return *project.probes;
     else
@@ -80,6 +84,8 @@ auto forKind(InspectorKind kind, Work&& work) {
       return work.template operator()<TerrainSettings, PartAccess<TerrainSettings, &Project::terrain>>();
     case InspectorKind::Grass:
       return work.template operator()<GrassSettings, PartAccess<GrassSettings, &Project::grass>>();
+    case InspectorKind::Bezier:
+      return work.template operator()<BezierSettings, PartAccess<BezierSettings, &Project::bezier>>();
     case InspectorKind::Point:
       return work.template operator()<Point, RecordAccess<Point>>();
     case InspectorKind::Arrow:
@@ -92,6 +98,10 @@ auto forKind(InspectorKind kind, Work&& work) {
       return work.template operator()<Species, RecordAccess<Species>>();
     case InspectorKind::Collider:
       return work.template operator()<Collider, RecordAccess<Collider>>();
+    case InspectorKind::Surface:
+      return work.template operator()<Surface, RecordAccess<Surface>>();
+    case InspectorKind::Rotor:
+      return work.template operator()<Rotor, RecordAccess<Rotor>>();
     case InspectorKind::Probe:
       return work.template operator()<Probe, RecordAccess<Probe>>();
     case InspectorKind::Camera:
@@ -147,6 +157,8 @@ std::string titleOf(const Project& project, const InspectorTarget& target) {
       return "Terrain";
     case InspectorKind::Grass:
       return "Grass";
+    case InspectorKind::Bezier:
+      return "Bezier grass";
     case InspectorKind::Signal:
       break;
     default:
@@ -232,8 +244,9 @@ InspectorSection inspect(const Project& project, const InspectorTarget& target) 
 
 std::vector<InspectorSection> inspectSelection(const Project& project, std::span<const Id> ids) {
   InspectorTarget points{InspectorKind::Point}, arrows{InspectorKind::Arrow}, obstacles{InspectorKind::Obstacle},
-      species{InspectorKind::Species}, colliders{InspectorKind::Collider}, probes{InspectorKind::Probe},
-      cameras{InspectorKind::Camera}, signals{InspectorKind::Signal};
+      species{InspectorKind::Species}, colliders{InspectorKind::Collider}, surfaces{InspectorKind::Surface},
+      rotors{InspectorKind::Rotor}, probes{InspectorKind::Probe}, cameras{InspectorKind::Camera},
+      signals{InspectorKind::Signal};
   const IdIndex index(project);
   for (const Id id : ids) {
     const auto place = index.find(id);
@@ -243,6 +256,8 @@ std::vector<InspectorSection> inspectSelection(const Project& project, std::span
                               : place->kind == ObjectKind::Obstacle ? obstacles
                               : place->kind == ObjectKind::Species  ? species
                               : place->kind == ObjectKind::Collider ? colliders
+                              : place->kind == ObjectKind::Surface  ? surfaces
+                              : place->kind == ObjectKind::Rotor    ? rotors
                               : place->kind == ObjectKind::Probe    ? probes
                                                                     : cameras;
     target.ids.push_back(id);
@@ -261,7 +276,7 @@ std::vector<InspectorSection> inspectSelection(const Project& project, std::span
   }
   std::vector<InspectorSection> sections;
   for (const InspectorTarget* target :
-       {&points, &arrows, &signals, &obstacles, &species, &colliders, &probes, &cameras}) {
+       {&points, &arrows, &signals, &obstacles, &species, &colliders, &surfaces, &rotors, &probes, &cameras}) {
     if (!target->ids.empty()) sections.push_back(inspect(project, *target));
   }
   return sections;

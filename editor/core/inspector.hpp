@@ -21,12 +21,15 @@ enum class InspectorKind {
   Ambient,
   Terrain,
   Grass,
+  Bezier,
   Point,
   Arrow,
   Signal,
   Obstacle,
   Species,
   Collider,
+  Surface,
+  Rotor,
   Probe,
   Camera
 };
@@ -54,7 +57,7 @@ struct InspectorSection {
 };
 
 /// Sections of a selection: points, signals of the selected roots (and of the roots that reach a selected
-/// arrow), arrows, obstacles, species, colliders, probes, cameras; only those that there are.
+/// arrow), arrows, obstacles, species, colliders, surfaces, rotors, probes, cameras; only those that there are.
 std::vector<InspectorSection> inspectSelection(const Project& project, std::span<const Id> ids);
 /// The section of a target; ids that don't exist are left out.
 InspectorSection inspect(const Project& project, const InspectorTarget& target);

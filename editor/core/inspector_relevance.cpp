@@ -1,5 +1,8 @@
 #include "editor/core/inspector_relevance.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 namespace windloom::editor {
 
 bool isRelevant(const Arrow& arrow, std::string_view key) {
@@ -37,6 +40,14 @@ bool isRelevant(const Collider& collider, std::string_view key) {
   return key != "roll" || (collider.shape == ColliderShape::Sphere && collider.keys.size() > 1);
 }
 
+bool isRelevant(const Surface& surface, std::string_view key) {
+  const bool mesh = surface.shape == SurfaceShape::Mesh;
+  if (key == "file" || key == "scale") return mesh;
+  // What is closed has no backs to see.
+  if (key == "bothSides") return mesh;
+  return key != "size" || !mesh;
+}
+
 bool isRelevant(const SolverSettings& solver, std::string_view key) {
   if (key == "sweeps") return solver.pressure == Pressure::Jacobi;
   return (key != "maxCycles" && key != "divergenceTolerance") || solver.pressure == Pressure::Multigrid;
@@ -50,11 +61,26 @@ bool isRelevant(const TerrainSettings& terrain, std::string_view key) {
 
 bool isRelevant(const GrassSettings& grass, std::string_view key) {
   if (grass.kind == GrassKind::None) return key == "kind";
+  if (grass.kind == GrassKind::Bezier) {
+    // Its blades move by forces of their own, see BezierSettings.
+    constexpr std::string_view kOfInstanced[] = {"deformation", "windFactor", "restBlend", "flutter", "interacting"};
+    return std::ranges::find(kOfInstanced, key) == std::end(kOfInstanced) && !key.starts_with("droop/") &&
+           !key.starts_with("swing/");
+  }
   // Blades that objects bent swing whatever the others do.
   const bool inertial = grass.deformation == Deformation::Inertial;
   if (key == "swing/exponent") return inertial;
   if (key.starts_with("swing/")) return inertial || grass.interacting > 0;
   return key != "restBlend" || grass.deformation == Deformation::Quadratic;
+}
+
+bool isRelevant(const BezierSettings& bezier, std::string_view key) {
+  if (key == "tufts/spacing" || key == "tufts/radius") return bezier.tufts > 0;
+  if (key == "blade/tip") return bezier.form == BladeForm::TriangleTip;
+  if (key == "gravity/direction" || key == "gravity/strength") return bezier.centreBlend < 1;
+  if (key == "gravity/centre" || key == "gravity/centreStrength") return bezier.centreBlend > 0;
+  if (key == "collision/fade") return bezier.collisionStrength > 0;
+  return !key.starts_with("wind/wave") || bezier.wind != BezierWind::Field;
 }
 
 }  // namespace windloom::editor

@@ -25,7 +25,7 @@ MoveDrag::MoveDrag(const ToolContext& context, glm::vec2 pressed, glm::vec2 anch
 /// A point that stays where it is.
 const Point* MoveDrag::pointUnder(const ToolContext& context, glm::vec2 pixel) const {
   if (!context.settings.snap.points || m_anchorPoint == 0) return nullptr;
-  PickOptions options{.arrows = false, .obstacles = false, .colliders = false, .probes = false};
+  PickOptions options = onlyPoints();
   options.radiusPx = context.settings.hitRadiusPx;
   const Project& project = context.document.committed();
   for (const Hit& hit : pick(project, context.view, context.ground, pixel, options)) {

@@ -54,6 +54,16 @@ Edit copyEdit(const Project& project, const Project& pieces, glm::vec2 offset, I
     copy.position += offset;
     edit.steps.emplace_back(Put<Collider>{std::move(copy)});
   }
+  for (const Surface& surface : *pieces.surfaces) {
+    Surface copy = fresh(surface);
+    copy.position += offset;
+    edit.steps.emplace_back(Put<Surface>{std::move(copy)});
+  }
+  for (const Rotor& rotor : *pieces.rotors) {
+    Rotor copy = fresh(rotor);
+    copy.position += offset;
+    edit.steps.emplace_back(Put<Rotor>{std::move(copy)});
+  }
   for (const Probe& probe : *pieces.probes) {
     Probe copy = fresh(probe);
     copy.position += offset;
@@ -86,6 +96,8 @@ Project extract(const Project& project, std::span<const Id> ids) {
   pieces.obstacles = std::make_shared<std::vector<Obstacle>>(picked(*project.obstacles, chosen));
   pieces.species = std::make_shared<std::vector<Species>>(picked(*project.species, chosen));
   pieces.colliders = std::make_shared<std::vector<Collider>>(picked(*project.colliders, chosen));
+  pieces.surfaces = std::make_shared<std::vector<Surface>>(picked(*project.surfaces, chosen));
+  pieces.rotors = std::make_shared<std::vector<Rotor>>(picked(*project.rotors, chosen));
   pieces.probes = std::make_shared<std::vector<Probe>>(picked(*project.probes, chosen));
   pieces.cameras = std::make_shared<std::vector<Camera>>(picked(*project.cameras, chosen));
   return pieces;
@@ -113,6 +125,8 @@ DuplicateResult insertProjectEdit(const Project& project, const Project& pieces,
   collect(*pieces.obstacles);
   collect(*pieces.species);
   collect(*pieces.colliders);
+  collect(*pieces.surfaces);
+  collect(*pieces.rotors);
   collect(*pieces.probes);
   collect(*pieces.cameras);
   return result;

@@ -81,6 +81,11 @@ void transformCollider(Collider& collider, float degrees, glm::vec2 scale) {
   }
 }
 
+void scaleSurface(Surface& surface, float factor) {
+  surface.size = clampTo<Surface>("size", surface.size * factor);
+  surface.scale = clampTo<Surface>("scale", surface.scale * factor);
+}
+
 /// Whether the ids' order in one of the lists would be another one.
 template <class Record>
 bool movesIn(const std::vector<Record>& before, const std::vector<Record>& after) {
@@ -110,6 +115,8 @@ std::vector<Id> movableIds(const Project& project, std::span<const Id> ids) {
     }
     if (const Obstacle* obstacle = index.obstacle(id); obstacle && !obstacle->locked) add(id);
     if (const Collider* collider = index.collider(id); collider && !collider->locked) add(id);
+    if (const Surface* surface = index.surface(id); surface && !surface->locked) add(id);
+    if (const Rotor* rotor = index.rotor(id); rotor && !rotor->locked) add(id);
     if (const Probe* probe = index.probe(id); probe && !probe->locked) add(id);
   }
   return movable;
@@ -123,6 +130,8 @@ std::optional<glm::vec2> pivotOf(const Project& project, std::span<const Id> ids
     if (const Point* point = index.point(id)) sum += point->position;
     if (const Obstacle* obstacle = index.obstacle(id)) sum += obstacle->centre;
     if (const Collider* collider = index.collider(id)) sum += collider->position;
+    if (const Surface* surface = index.surface(id)) sum += surface->position;
+    if (const Rotor* rotor = index.rotor(id)) sum += rotor->position;
     if (const Probe* probe = index.probe(id)) sum += probe->position;
   }
   if (movable.empty()) return std::nullopt;
@@ -146,6 +155,16 @@ Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pi
   putEach(edit, *project.colliders, moved, [&](Collider& collider) {
     transformCollider(collider, degrees, scale);
     collider.position = placed(collider.position);
+  });
+  const float mean = std::sqrt(scale.x * scale.y);
+  putEach(edit, *project.surfaces, moved, [&](Surface& surface) {
+    scaleSurface(surface, mean);
+    surface.position = placed(surface.position);
+    surface.rotation = std::remainder(surface.rotation + degrees, 360.0f);
+  });
+  putEach(edit, *project.rotors, moved, [&](Rotor& rotor) {
+    rotor.radius = clampTo<Rotor>("radius", rotor.radius * mean);
+    rotor.position = placed(rotor.position);
   });
   putEach(edit, *project.probes, moved, [&](Probe& probe) { probe.position = placed(probe.position); });
   return edit;
@@ -187,6 +206,9 @@ Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float fact
   });
   putEach(edit, *project.colliders, setOf(ids),
           [&](Collider& collider) { collider.radius = clampTo<Collider>("radius", collider.radius * factor); });
+  putEach(edit, *project.surfaces, setOf(ids), [&](Surface& surface) { scaleSurface(surface, factor); });
+  putEach(edit, *project.rotors, setOf(ids),
+          [&](Rotor& rotor) { rotor.radius = clampTo<Rotor>("radius", rotor.radius * factor); });
   return edit;
 }
 
@@ -200,6 +222,8 @@ Edit renameEdit(const Project& project, Id id, std::string name) {
   putEach(edit, *project.obstacles, one, change);
   putEach(edit, *project.species, one, change);
   putEach(edit, *project.colliders, one, change);
+  putEach(edit, *project.surfaces, one, change);
+  putEach(edit, *project.rotors, one, change);
   putEach(edit, *project.probes, one, change);
   putEach(edit, *project.cameras, one, change);
   return edit;
@@ -220,7 +244,8 @@ Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before) {
       moved &&
       (movesIn(project.graph->points, moved->graph->points) || movesIn(project.graph->arrows, moved->graph->arrows) ||
        movesIn(*project.obstacles, *moved->obstacles) || movesIn(*project.species, *moved->species) ||
-       movesIn(*project.colliders, *moved->colliders) || movesIn(*project.probes, *moved->probes) ||
+       movesIn(*project.colliders, *moved->colliders) || movesIn(*project.surfaces, *moved->surfaces) ||
+       movesIn(*project.rotors, *moved->rotors) || movesIn(*project.probes, *moved->probes) ||
        movesIn(*project.cameras, *moved->cameras));
   if (!changes) edit.steps.clear();
   return edit;
@@ -237,6 +262,20 @@ AddResult addColliderEdit(const Project& project, Collider collider) {
   AddResult result{named("Add collider"), nextFreeId(project)};
   collider.id = result.id;
   result.edit.steps.emplace_back(Put<Collider>{std::move(collider)});
+  return result;
+}
+
+AddResult addSurfaceEdit(const Project& project, Surface surface) {
+  AddResult result{named("Add surface"), nextFreeId(project)};
+  surface.id = result.id;
+  result.edit.steps.emplace_back(Put<Surface>{std::move(surface)});
+  return result;
+}
+
+AddResult addRotorEdit(const Project& project, Rotor rotor) {
+  AddResult result{named("Add rotor"), nextFreeId(project)};
+  rotor.id = result.id;
+  result.edit.steps.emplace_back(Put<Rotor>{std::move(rotor)});
   return result;
 }
 

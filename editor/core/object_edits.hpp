@@ -11,12 +11,12 @@
 
 namespace windloom::editor {
 
-/// What a move takes along: points, obstacles, colliders and probes of the ids, and both ends of arrows; nothing
-/// locked.
+/// What a move takes along: points, obstacles, colliders, surfaces, rotors and probes of the ids, and both ends of
+/// arrows; nothing locked.
 std::vector<Id> movableIds(const Project& project, std::span<const Id> ids);
 /// Positions scaled along x and z around `pivot`, then turned by `degrees` (from +X towards +Z); boxes and polygons
 /// turn, all obstacles scale along (circles by the mean of both factors, boxes along their own axes), and so do
-/// colliders with the ways that they move. Factors must be above 0.
+/// colliders with the ways that they move, surfaces and rotors. Factors must be above 0.
 Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees, glm::vec2 scale);
 inline Edit transformEdit(const Project& project, std::span<const Id> ids, glm::vec2 pivot, float degrees,
                           float scale) {
@@ -40,7 +40,8 @@ Project extract(const Project& project, std::span<const Id> ids);
 std::vector<Id> arrowsOf(const Project& project, std::span<const Id> ids);
 
 enum class Flag { Hidden, Muted, Locked };
-/// Sets the flag of arrowsOf, obstacles, colliders, probes (can't be muted) and species (can only be hidden).
+/// Sets the flag of arrowsOf, obstacles, colliders, rotors, surfaces and probes (can't be muted) and species (can only
+/// be hidden).
 Edit flagEdit(const Project& project, std::span<const Id> ids, Flag flag, bool on);
 /// Whether all that could carry the flag do.
 bool allFlagged(const Project& project, std::span<const Id> ids, Flag flag);
@@ -51,7 +52,7 @@ Edit isolateEdit(const Project& project, std::span<const Id> ids);
 
 /// Strength of arrowsOf times `factor`, kept within its range; repeated steps merge.
 Edit scaleStrengthEdit(const Project& project, std::span<const Id> ids, float factor);
-/// Radius of arrowsOf, circles and colliders, sides of boxes times `factor`.
+/// Radius of arrowsOf, circles, colliders and rotors, sides of boxes, size of surfaces times `factor`.
 Edit scaleRadiusEdit(const Project& project, std::span<const Id> ids, float factor);
 
 Edit renameEdit(const Project& project, Id id, std::string name);
@@ -62,6 +63,8 @@ struct AddResult {
 AddResult addObstacleEdit(const Project& project, Obstacle obstacle);
 AddResult addSpeciesEdit(const Project& project, Species species);
 AddResult addColliderEdit(const Project& project, Collider collider);
+AddResult addSurfaceEdit(const Project& project, Surface surface);
+AddResult addRotorEdit(const Project& project, Rotor rotor);
 /// The ids moved in their lists to just before the record `before`, 0: to the end; see Reorder.
 Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before);
 AddResult addProbeEdit(const Project& project, Probe probe);

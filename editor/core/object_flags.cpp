@@ -20,6 +20,12 @@ bool* flagOf(Species& species, Flag flag) {
 bool* flagOf(Collider& collider, Flag flag) {
   return flag == Flag::Hidden ? &collider.hidden : flag == Flag::Muted ? &collider.muted : &collider.locked;
 }
+bool* flagOf(Surface& surface, Flag flag) {
+  return flag == Flag::Hidden ? &surface.hidden : flag == Flag::Locked ? &surface.locked : nullptr;
+}
+bool* flagOf(Rotor& rotor, Flag flag) {
+  return flag == Flag::Hidden ? &rotor.hidden : flag == Flag::Muted ? &rotor.muted : &rotor.locked;
+}
 bool* flagOf(Probe& probe, Flag flag) {
   return flag == Flag::Hidden ? &probe.hidden : flag == Flag::Locked ? &probe.locked : nullptr;
 }
@@ -44,6 +50,8 @@ Edit setAll(const Project& project, Flag flag, std::string label, Wanted wanted)
   setWhere(edit, *project.obstacles, flag, wanted);
   setWhere(edit, *project.species, flag, wanted);
   setWhere(edit, *project.colliders, flag, wanted);
+  setWhere(edit, *project.surfaces, flag, wanted);
+  setWhere(edit, *project.rotors, flag, wanted);
   setWhere(edit, *project.probes, flag, wanted);
   return edit;
 }
@@ -89,6 +97,8 @@ bool allFlagged(const Project& project, std::span<const Id> ids, Flag flag) {
   look(*project.obstacles);
   look(*project.species);
   look(*project.colliders);
+  look(*project.surfaces);
+  look(*project.rotors);
   look(*project.probes);
   return any && all;
 }

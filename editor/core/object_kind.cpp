@@ -5,6 +5,7 @@
 
 #include "editor/core/collider_shape.hpp"
 #include "editor/core/id_index.hpp"
+#include "editor/core/surface_shape.hpp"
 #include "engine/model/outline.hpp"
 
 namespace windloom::editor {
@@ -28,11 +29,13 @@ bool allArrowsOfPoint(const WindGraph& graph, Id point, bool Arrow::*flag) {
 }
 
 bool flagged(const Project& project, Id id, bool Arrow::*arrowFlag, bool Obstacle::*obstacleFlag,
-             bool Collider::*colliderFlag, bool Probe::*probeFlag) {
+             bool Collider::*colliderFlag, bool Surface::*surfaceFlag, bool Rotor::*rotorFlag, bool Probe::*probeFlag) {
   if (const Arrow* arrow = findArrow(*project.graph, id)) return arrow->*arrowFlag;
   if (findPoint(*project.graph, id)) return allArrowsOfPoint(*project.graph, id, arrowFlag);
   if (const Obstacle* obstacle = findObstacle(project, id)) return obstacle->*obstacleFlag;
   if (const Collider* collider = findCollider(project, id)) return collider->*colliderFlag;
+  if (const Surface* surface = findSurface(project, id)) return surface->*surfaceFlag;
+  if (const Rotor* rotor = findRotor(project, id)) return rotor->*rotorFlag;
   if (const Probe* probe = findProbe(project, id)) return probe->*probeFlag;
   return false;
 }
@@ -61,6 +64,12 @@ const Species* findSpecies(const Project& project, Id id) {
 const Collider* findCollider(const Project& project, Id id) {
   return findIn(*project.colliders, id);
 }
+const Surface* findSurface(const Project& project, Id id) {
+  return findIn(*project.surfaces, id);
+}
+const Rotor* findRotor(const Project& project, Id id) {
+  return findIn(*project.rotors, id);
+}
 const Probe* findProbe(const Project& project, Id id) {
   return findIn(*project.probes, id);
 }
@@ -74,6 +83,8 @@ std::optional<ObjectKind> kindOf(const Project& project, Id id) {
   if (findObstacle(project, id)) return ObjectKind::Obstacle;
   if (findSpecies(project, id)) return ObjectKind::Species;
   if (findCollider(project, id)) return ObjectKind::Collider;
+  if (findSurface(project, id)) return ObjectKind::Surface;
+  if (findRotor(project, id)) return ObjectKind::Rotor;
   if (findProbe(project, id)) return ObjectKind::Probe;
   if (findCamera(project, id)) return ObjectKind::Camera;
   return std::nullopt;
@@ -91,6 +102,10 @@ const char* kindLabel(ObjectKind kind) {
       return "Species";
     case ObjectKind::Collider:
       return "Collider";
+    case ObjectKind::Surface:
+      return "Surface";
+    case ObjectKind::Rotor:
+      return "Rotor";
     case ObjectKind::Probe:
       return "Probe";
     case ObjectKind::Camera:
@@ -112,6 +127,8 @@ std::string nameOf(const Project& project, Id id) {
   if (const Obstacle* obstacle = findObstacle(project, id)) return obstacle->name;
   if (const Species* species = findSpecies(project, id)) return species->name;
   if (const Collider* collider = findCollider(project, id)) return collider->name;
+  if (const Surface* surface = findSurface(project, id)) return surface->name;
+  if (const Rotor* rotor = findRotor(project, id)) return rotor->name;
   if (const Probe* probe = findProbe(project, id)) return probe->name;
   if (const Camera* camera = findCamera(project, id)) return camera->name;
   return {};
@@ -119,10 +136,12 @@ std::string nameOf(const Project& project, Id id) {
 
 bool isHidden(const Project& project, Id id) {
   if (const Species* species = findSpecies(project, id)) return species->hidden;
-  return flagged(project, id, &Arrow::hidden, &Obstacle::hidden, &Collider::hidden, &Probe::hidden);
+  return flagged(project, id, &Arrow::hidden, &Obstacle::hidden, &Collider::hidden, &Surface::hidden, &Rotor::hidden,
+                 &Probe::hidden);
 }
 bool isLocked(const Project& project, Id id) {
-  return flagged(project, id, &Arrow::locked, &Obstacle::locked, &Collider::locked, &Probe::locked);
+  return flagged(project, id, &Arrow::locked, &Obstacle::locked, &Collider::locked, &Surface::locked, &Rotor::locked,
+                 &Probe::locked);
 }
 
 std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id> ids) {
@@ -139,6 +158,10 @@ std::optional<GroundBounds> boundsOf(const Project& project, std::span<const Id>
     } else if (const Collider* collider = index.collider(id)) {
       const float reach = reachOf(*collider);
       for (const glm::vec2 place : wayOf(*collider)) include(bounds, place - reach, place + reach);
+    } else if (const Surface* surface = index.surface(id)) {
+      for (const glm::vec2 corner : outlineOf(*surface)) include(bounds, corner, corner);
+    } else if (const Rotor* rotor = index.rotor(id)) {
+      include(bounds, rotor->position - rotor->radius, rotor->position + rotor->radius);
     } else if (const Probe* probe = index.probe(id)) {
       include(bounds, probe->position, probe->position);
     } else if (const Camera* camera = index.camera(id)) {

@@ -9,7 +9,7 @@
 
 namespace windloom::editor {
 
-enum class ObjectKind { Point, Arrow, Obstacle, Species, Collider, Probe, Camera };
+enum class ObjectKind { Point, Arrow, Obstacle, Species, Collider, Surface, Rotor, Probe, Camera };
 
 /// Nothing where the project has no such id.
 std::optional<ObjectKind> kindOf(const Project& project, Id id);
@@ -21,6 +21,8 @@ std::string countOf(std::size_t count, ObjectKind kind);
 const Obstacle* findObstacle(const Project& project, Id id);
 const Species* findSpecies(const Project& project, Id id);
 const Collider* findCollider(const Project& project, Id id);
+const Surface* findSurface(const Project& project, Id id);
+const Rotor* findRotor(const Project& project, Id id);
 const Probe* findProbe(const Project& project, Id id);
 const Camera* findCamera(const Project& project, Id id);
 
@@ -32,7 +34,7 @@ bool isHidden(const Project& project, Id id);
 bool isLocked(const Project& project, Id id);
 
 /// Ground bounds of the ids (arrows: both ends; obstacles: their extent; colliders: theirs along their whole way;
-/// species, which have no place, don't count). Nothing for no ids.
+/// surfaces and rotors: theirs; species, which have no place, don't count). Nothing for no ids.
 struct GroundBounds {
   glm::vec2 low{0.0f}, high{0.0f};
 };

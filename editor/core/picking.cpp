@@ -9,6 +9,7 @@
 #include "editor/core/collider_shape.hpp"
 #include "editor/core/id_index.hpp"
 #include "editor/core/selection.hpp"
+#include "editor/core/surface_shape.hpp"
 #include "engine/model/outline.hpp"
 
 namespace windloom::editor {
@@ -139,6 +140,42 @@ void pickGraph(std::vector<Hit>& hits, const Project& project, const Picker& pic
   }
 }
 
+void pickSurfaces(std::vector<Hit>& hits, const Project& project, const ViewMapping& view, const Ground& ground,
+                  const Picker& picker, glm::vec2 pixel, const PickOptions& options) {
+  for (const Surface& surface : *project.surfaces) {
+    if (surface.hidden || surface.locked || surface.id == options.ignore) continue;
+    const float distance = picker.toPlace(surface.position);
+    const std::size_t before = hits.size();
+    if (distance <= options.radiusPx) {
+      hits.push_back({ObjectKind::Surface, surface.id, distance});
+    } else {
+      pickOutline(hits, picker, surface, surface.position, ObjectKind::Surface, options.radiusPx);
+    }
+    // Its body stands over other ground than its outline, seen from the side.
+    if (hits.size() == before && meets(surface, ground, view.ray(pixel)))
+      hits.push_back({ObjectKind::Surface, surface.id, 0.0f, true});
+  }
+}
+
+void pickRotors(std::vector<Hit>& hits, const Project& project, const ViewMapping& view, const Ground& ground,
+                const Picker& picker, glm::vec2 pixel, const PickOptions& options) {
+  for (const Rotor& rotor : *project.rotors) {
+    if (rotor.hidden || rotor.locked || rotor.id == options.ignore) continue;
+    const float distance = picker.toPlace(rotor.position);
+    if (distance <= options.radiusPx) {
+      hits.push_back({ObjectKind::Rotor, rotor.id, distance});
+      continue;
+    }
+    float nearest = std::numeric_limits<float>::infinity();
+    const std::vector<glm::vec3> ring = ringOf(rotor, ground);
+    for (std::size_t i = 0; i < ring.size(); ++i) {
+      const auto a = view.toScreen(ring[i]), b = view.toScreen(ring[(i + 1) % ring.size()]);
+      if (a && b) nearest = std::min(nearest, nearestOnSegment(pixel, *a, *b).distance);
+    }
+    if (nearest <= options.radiusPx) hits.push_back({ObjectKind::Rotor, rotor.id, nearest, false, 0.0f, true});
+  }
+}
+
 }  // namespace
 
 std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 pixel,
@@ -159,6 +196,8 @@ std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Gro
       pickOutline(hits, picker, obstacle, obstacle.centre, ObjectKind::Obstacle, options.radiusPx);
     }
   }
+  if (options.surfaces) pickSurfaces(hits, project, view, ground, picker, pixel, options);
+  if (options.rotors) pickRotors(hits, project, view, ground, picker, pixel, options);
   if (options.colliders) {
     for (const Collider& collider : *project.colliders) {
       if (collider.hidden || collider.locked || collider.id == options.ignore) continue;
@@ -175,6 +214,16 @@ std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Gro
     return std::tuple(rank(a), a.distancePx, a.id) < std::tuple(rank(b), b.distancePx, b.id);
   });
   return hits;
+}
+
+PickOptions onlyGraph() {
+  return {.obstacles = false, .colliders = false, .surfaces = false, .rotors = false, .probes = false};
+}
+
+PickOptions onlyPoints() {
+  PickOptions options = onlyGraph();
+  options.arrows = false;
+  return options;
 }
 
 Id cycleHit(const std::vector<Hit>& hits, Id current) {
@@ -200,11 +249,15 @@ std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const G
     const Point* end = arrow ? index.point(arrow->to) : nullptr;
     const Obstacle* obstacle = index.obstacle(id);
     const Collider* collider = index.collider(id);
+    const Surface* surface = index.surface(id);
+    const Rotor* rotor = index.rotor(id);
     const Probe* probe = index.probe(id);
     const bool inside = arrow      ? point && end && within(point->position) && within(end->position)
                         : point    ? within(point->position)
                         : obstacle ? within(obstacle->centre)
                         : collider ? within(shownAt(*collider, seconds).position)
+                        : surface  ? within(surface->position)
+                        : rotor    ? within(rotor->position)
                                    : probe && within(probe->position);
     if (inside) found.push_back(id);
   }

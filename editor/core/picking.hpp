@@ -15,33 +15,39 @@ struct Hit {
   ObjectKind kind = ObjectKind::Point;
   Id id = 0;
   float distancePx = 0;  ///< from the pointer to the handle; 0 inside an outline
-  bool inside = false;   ///< inside an obstacle's or collider's outline, not near it: comes after every other hit
+  bool inside = false;   ///< inside an obstacle's or collider's outline, or on a surface: comes after every other hit
   float along = 0;       ///< arrows: place between start (0) and end (1)
-  bool edge = false;     ///< at the outline of an obstacle or collider
+  bool edge = false;     ///< at the outline of an obstacle, collider or surface, or a rotor's ring
 
-  /// A point, a probe or a collider's middle, which lie on top of lines and outlines.
+  /// A point, a probe, or the middle of a collider, surface or rotor, which lie on top of lines and outlines.
   [[nodiscard]] bool isHandle() const {
-    return kind == ObjectKind::Point || kind == ObjectKind::Probe || (kind == ObjectKind::Collider && !inside && !edge);
+    const bool middle = kind == ObjectKind::Collider || kind == ObjectKind::Surface || kind == ObjectKind::Rotor;
+    return kind == ObjectKind::Point || kind == ObjectKind::Probe || (middle && !inside && !edge);
   }
 };
 
 struct PickOptions {
   float radiusPx = kHitRadiusPx;  ///< times the interface scale
-  bool points = true, arrows = true, obstacles = true, colliders = true, probes = true;
+  bool points = true, arrows = true, obstacles = true, colliders = true, surfaces = true, rotors = true, probes = true;
   Id ignore = 0;       ///< never hit (the point being dragged)
   double seconds = 0;  ///< of wind time: where colliders are
 };
 
-/// All hits: points, probes and middles of colliders first, then arrows, then outlines of obstacles and colliders, then
-/// their insides; within a kind the nearest first, then the lower id. Hidden and locked things are not hit.
+/// Options to hit nothing but points, or points and arrows.
+PickOptions onlyPoints();
+PickOptions onlyGraph();
+
+/// All hits: points, probes and middles of colliders, surfaces and rotors first, then arrows, then outlines of
+/// obstacles, colliders and surfaces and the rings of rotors, then insides; within a kind the nearest first, then the
+/// lower id. Hidden and locked things are not hit.
 std::vector<Hit> pick(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 pixel,
                       const PickOptions& options = {});
 
 /// The hit after `current` in the list (cycling), the first where `current` isn't in it; 0 for no hits.
 Id cycleHit(const std::vector<Hit>& hits, Id current);
 
-/// Everything with its handle (points, probes, middles of obstacles and colliders; arrows with both ends) inside the
-/// rectangle.
+/// Everything with its handle (points, probes, middles of obstacles, colliders, surfaces and rotors; arrows with both
+/// ends) inside the rectangle.
 std::vector<Id> pickBox(const Project& project, const ViewMapping& view, const Ground& ground, glm::vec2 cornerA,
                         glm::vec2 cornerB, double seconds = 0);
 

@@ -138,8 +138,11 @@ Lines describeChanges(const Project& before, const Project& after) {
   compareRecords(lines, "Obstacle", *before.obstacles, *after.obstacles);
   compareSettings(lines, "Terrain", before.terrain, after.terrain);
   compareSettings(lines, "Grass", before.grass, after.grass);
+  compareSettings(lines, "Bezier grass", before.bezier, after.bezier);
   compareRecords(lines, "Species", *before.species, *after.species);
   compareRecords(lines, "Collider", *before.colliders, *after.colliders);
+  compareRecords(lines, "Surface", *before.surfaces, *after.surfaces);
+  compareRecords(lines, "Rotor", *before.rotors, *after.rotors);
   compareRecords(lines, "Probe", *before.probes, *after.probes);
   compareRecords(lines, "Camera", *before.cameras, *after.cameras);
   return lines;

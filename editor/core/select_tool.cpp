@@ -16,14 +16,30 @@ glm::vec2 handlePlace(const Project& project, const Hit& hit, glm::vec2 pressed)
   if (const Point* point = findPoint(*project.graph, hit.id)) return point->position;
   if (const Obstacle* obstacle = findObstacle(project, hit.id)) return obstacle->centre;
   if (const Collider* collider = findCollider(project, hit.id)) return collider->position;
+  if (const Surface* surface = findSurface(project, hit.id)) return surface->position;
+  if (const Rotor* rotor = findRotor(project, hit.id)) return rotor->position;
   if (const Probe* probe = findProbe(project, hit.id)) return probe->position;
   return pressed;
+}
+
+/// The drag of a handle of a thing's own.
+std::unique_ptr<Drag> dragOfObject(const Project& project, const Grip& grip) {
+  switch (kindOf(project, grip.object).value_or(ObjectKind::Obstacle)) {
+    case ObjectKind::Collider:
+      return makeColliderDrag(grip);
+    case ObjectKind::Surface:
+      return makeSurfaceDrag(grip);
+    case ObjectKind::Rotor:
+      return makeRotorDrag(grip);
+    default:
+      return makeOutlineDrag(grip);
+  }
 }
 
 }  // namespace
 
 bool insertPointAt(ToolContext& context, glm::vec2 pixel, std::string& message) {
-  const std::vector<Hit> hits = context.hits(pixel, {.obstacles = false, .colliders = false, .probes = false});
+  const std::vector<Hit> hits = context.hits(pixel, onlyGraph());
   // A point right under the pointer is meant itself.
   if (hits.empty() || hits.front().kind != ObjectKind::Arrow) return false;
   const InsertResult inserted = insertPointEdit(context.document.committed(), hits.front().id, hits.front().along);
@@ -130,8 +146,7 @@ std::unique_ptr<Drag> SelectTool::transform(ToolContext& context, const PointerE
 }
 
 std::unique_ptr<Drag> SelectTool::dragGrip(ToolContext& context, const PointerEvent& press, const Grip& grip) {
-  if (grip.object != 0)
-    return findCollider(context.document.committed(), grip.object) ? makeColliderDrag(grip) : makeOutlineDrag(grip);
+  if (grip.object != 0) return dragOfObject(context.document.committed(), grip);
   const auto place = context.groundAt(press.pixel);
   const auto pivot = pivotOf(context.document.committed(), context.selection.ids());
   if (!place || !pivot) return nullptr;

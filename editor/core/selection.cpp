@@ -88,6 +88,8 @@ std::vector<Id> selectableIds(const Project& project) {
   append(project.graph->arrows);
   append(*project.obstacles);
   append(*project.colliders);
+  append(*project.surfaces);
+  append(*project.rotors);
   append(*project.probes);
   return ids;
 }
@@ -131,8 +133,9 @@ std::vector<Id> linkedIds(const Project& project, std::span<const Id> ids) {
 }
 
 std::string describeIds(const Project& project, std::span<const Id> ids) {
-  constexpr ObjectKind kinds[] = {ObjectKind::Point,    ObjectKind::Arrow, ObjectKind::Obstacle, ObjectKind::Species,
-                                  ObjectKind::Collider, ObjectKind::Probe, ObjectKind::Camera};
+  constexpr ObjectKind kinds[] = {ObjectKind::Point,   ObjectKind::Arrow,    ObjectKind::Obstacle,
+                                  ObjectKind::Species, ObjectKind::Collider, ObjectKind::Surface,
+                                  ObjectKind::Rotor,   ObjectKind::Probe,    ObjectKind::Camera};
   if (ids.empty()) return {};
   if (ids.size() == 1) {
     const auto kind = kindOf(project, ids[0]);

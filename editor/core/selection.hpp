@@ -39,8 +39,8 @@ class Selection {
 enum class SelectMode { Replace, Add, Toggle };
 void select(Selection& selection, std::span<const Id> ids, SelectMode mode);
 
-/// Every id of points, arrows, obstacles, colliders and probes that isn't hidden or locked (species and cameras are no
-/// things in the view).
+/// Every id of points, arrows, obstacles, colliders, surfaces, rotors and probes that isn't hidden or locked (species
+/// and cameras are no things in the view).
 std::vector<Id> selectableIds(const Project& project);
 /// The ids and everything joined to them by arrows.
 std::vector<Id> linkedIds(const Project& project, std::span<const Id> ids);

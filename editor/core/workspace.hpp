@@ -73,7 +73,8 @@ class Workspace {
   /// as it was. False where the project has to be saved first, which is told.
   bool loadTerrain(const std::filesystem::path& file);
   bool mayLoadTerrain();
-  /// The same for the file of a species, a collider or a map of the grass, see assetEdit. A new record is selected.
+  /// The same for the file of a species, a collider, a surface or a map of the grass, see assetEdit. A new record is
+  /// selected.
   bool loadAsset(AssetTarget target, const std::filesystem::path& file);
   bool mayLoadAsset();
   void undo();
@@ -118,19 +119,20 @@ class Workspace {
   Id m_lookedThrough = 0;
 };
 
-/// A place on the ground in the middle of the view, beside the colliders that stand there.
+/// A place on the ground in the middle of the view, beside the colliders, surfaces and rotors that stand there.
 glm::vec2 freePlace(Workspace& workspace, float reachM);
 
 /// Adds file, edit, select, add, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
 /// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
 /// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked;
-/// add.collider add.tall_grass add.daisies add.poppies add.spikes; graph.extrude
+/// add.collider add.rotor add.moebius add.torus add.sphere add.hare add.tall_grass add.daisies add.poppies add.spikes;
+/// graph.extrude
 /// graph.merge graph.split graph.dissolve graph.reverse graph.reparent graph.mute graph.hide graph.show_all
 /// graph.isolate graph.lock graph.unlock_all graph.strength_up graph.strength_down graph.radius_up graph.radius_down;
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.brush tool.probe tool.delete
 /// tool.cancel;
 /// view.frame view.frame_all view.top view.front view.side view.orthographic view.camera_next view.camera_store;
-/// grass.instanced grass.none; snap.grid snap.angle snap.points.
+/// grass.instanced grass.bezier grass.none; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

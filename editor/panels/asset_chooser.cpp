@@ -17,6 +17,8 @@ const char* titleOf(const AssetTarget& target) {
       return "Choose a plant";
     case AssetUse::Collider:
       return "Choose an object";
+    case AssetUse::Surface:
+      return "Choose a surface for grass";
     case AssetUse::DensityMap:
       return "Choose a density map";
     case AssetUse::HeightMap:
@@ -28,7 +30,7 @@ const char* titleOf(const AssetTarget& target) {
 }
 
 bool isMap(const AssetTarget& target) {
-  return target.use != AssetUse::Species && target.use != AssetUse::Collider;
+  return target.use == AssetUse::DensityMap || target.use == AssetUse::HeightMap || target.use == AssetUse::ColourMap;
 }
 
 bool sameTarget(const AssetTarget& a, const AssetTarget& b) {

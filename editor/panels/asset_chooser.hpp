@@ -1,5 +1,6 @@
 #pragma once
-// Choosing the files of species, colliders and maps: the row that shows one, and the window to browse for another.
+// Choosing the files of species, colliders, surfaces and maps: the row that shows one, and the window to browse for
+// another.
 
 #include "editor/core/asset_load.hpp"
 #include "editor/core/inspector.hpp"

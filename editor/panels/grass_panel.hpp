@@ -10,8 +10,9 @@
 
 namespace windloom::editor {
 
-/// `apply` takes over a change of any row but the maps.
-void drawGrass(PanelContext& context, AssetChooser& assets,
-               const std::function<void(const InspectorSection&, const InspectorRow&, const RowChange&)>& apply);
+using ApplyChange = std::function<void(const InspectorSection&, const InspectorRow&, const RowChange&)>;
+
+/// `apply` takes over a change of any row but the maps. With Bezier grass its settings follow, and how to look at it.
+void drawGrass(PanelContext& context, AssetChooser& assets, const ApplyChange& apply);
 
 }  // namespace windloom::editor

@@ -29,6 +29,8 @@ const char* kindName(InspectorKind kind) {
       return "terrain";
     case InspectorKind::Grass:
       return "grass";
+    case InspectorKind::Bezier:
+      return "bezier";
     case InspectorKind::Point:
       return "point";
     case InspectorKind::Arrow:
@@ -41,6 +43,10 @@ const char* kindName(InspectorKind kind) {
       return "species";
     case InspectorKind::Collider:
       return "collider";
+    case InspectorKind::Surface:
+      return "surface";
+    case InspectorKind::Rotor:
+      return "rotor";
     case InspectorKind::Probe:
       return "probe";
     case InspectorKind::Camera:
@@ -80,6 +86,7 @@ std::string_view strengthUnit(const InspectorSection& section) {
 std::optional<AssetTarget> assetTargetOf(const InspectorSection& section) {
   if (section.target.kind == InspectorKind::Species) return AssetTarget{AssetUse::Species, section.target.ids};
   if (section.target.kind == InspectorKind::Collider) return AssetTarget{AssetUse::Collider, section.target.ids};
+  if (section.target.kind == InspectorKind::Surface) return AssetTarget{AssetUse::Surface, section.target.ids};
   return std::nullopt;
 }
 
@@ -120,8 +127,9 @@ void drawSection(PanelContext& context, const InspectorSection& section, AssetCh
   if (!beginRows(prefix.c_str())) return;
   for (InspectorRow row : section.rows) {
     if (row.info.key == "id") continue;  // the title says it
-    if (row.info.key == "strength") row.info.unit = strengthUnit(section);
-    // Shapes of plants and colliders differ in most of what they have.
+    if (section.target.kind == InspectorKind::Arrow && row.info.key == "strength")
+      row.info.unit = strengthUnit(section);
+    // Shapes of plants, colliders and surfaces differ in most of what they have.
     if (asset && !row.relevant) continue;
     if (asset && row.info.key == "file") {
       assets.drawRow(context, row, prefix, *asset);
@@ -143,7 +151,8 @@ void drawSelection(PanelContext& context, AssetChooser& assets) {
     ImGui::TextDisabled("Nothing is selected.");
     ImGui::PushTextWrapPos(0);
     ImGui::TextDisabled(
-        "Click an arrow, a point, an obstacle or a collider; Shift adds, Ctrl toggles, dragging on empty ground "
+        "Click an arrow, a point, an obstacle, a collider, a surface or a rotor; Shift adds, Ctrl toggles, dragging on "
+        "empty ground "
         "selects a box.");
     ImGui::PopTextWrapPos();
     return;

@@ -68,7 +68,7 @@ const char* symbolOf(ColliderShape shape) {
 
 // Groups of rows that no point's id can be.
 constexpr Id kTrees = 0xfffffff1u, kObstacles = 0xfffffff2u, kProbes = 0xfffffff3u, kSpecies = 0xfffffff4u,
-             kColliders = 0xfffffff5u;
+             kColliders = 0xfffffff5u, kSurfaces = 0xfffffff6u, kRotors = 0xfffffff7u;
 
 /// Roots in the order of the list of points: that is what dragging changes.
 std::vector<Id> rootsInOrder(const WindGraph& graph) {
@@ -104,12 +104,15 @@ return row;
 
 bool Outliner::takeChanges(const Project& project) {
   if (project.graph == m_graph && project.obstacles == m_obstacles && project.species == m_species &&
-      project.colliders == m_colliders && project.probes == m_probes)
+      project.colliders == m_colliders && project.surfaces == m_surfaces && project.rotors == m_rotors &&
+      project.probes == m_probes)
     return false;
   m_graph = project.graph;
   m_obstacles = project.obstacles;
   m_species = project.species;
   m_colliders = project.colliders;
+  m_surfaces = project.surfaces;
+  m_rotors = project.rotors;
   m_probes = project.probes;
   return true;
 }
@@ -181,6 +184,9 @@ void Outliner::rebuild(const Project& project) {
   addGroup(*project.obstacles, "Obstacles", "Obstacle", kObstacles, byShape);
   addGroup(*project.species, "Species", "Species", kSpecies, byShape);
   addGroup(*project.colliders, "Colliders", "Collider", kColliders, byShape);
+  addGroup(*project.surfaces, "Surfaces", "Surface", kSurfaces,
+           [](const Surface&) { return icons::icon(icons::kSurface, "@"); });
+  addGroup(*project.rotors, "Rotors", "Rotor", kRotors, [](const Rotor&) { return icons::icon(icons::kRotor, "x"); });
   addGroup(*project.probes, "Probes", "Probe", kProbes, [](const Probe&) { return icons::icon(icons::kProbe, "+"); });
 }
 

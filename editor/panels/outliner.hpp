@@ -1,7 +1,7 @@
 #pragma once
-// Everything in the project by name: wind trees with their arrows, obstacles, species, colliders, probes. Eye shows and
-// hides, speaker mutes, lock keeps from picking; double click or F2 renames; dragging changes the order of trees, of
-// arrows that leave the same point, of obstacles, species, colliders and probes.
+// Everything in the project by name: wind trees with their arrows, obstacles, species, colliders, surfaces, rotors,
+// probes. Eye shows and hides, speaker mutes, lock keeps from picking; double click or F2 renames; dragging changes the
+// order of trees, of arrows that leave the same point, and of the things in every other list.
 
 #include <optional>
 #include <set>
@@ -35,7 +35,7 @@ class Outliner {
   };
   bool takeChanges(const Project& project);
   void rebuild(const Project& project);
-  /// A row for an arrow, obstacle, species, collider or probe.
+  /// A row for an arrow or a thing of another list.
   template <class Thing>
   static Row itemRow(const Thing& thing, const char* kind, const char* symbol);
   void addTrees(const Project& project);
@@ -63,6 +63,8 @@ class Outliner {
   Shared<std::vector<Obstacle>> m_obstacles;
   Shared<std::vector<Species>> m_species;
   Shared<std::vector<Collider>> m_colliders;
+  Shared<std::vector<Surface>> m_surfaces;
+  Shared<std::vector<Rotor>> m_rotors;
   Shared<std::vector<Probe>> m_probes;
   Id m_renaming = 0;
   bool m_focusName = false;

@@ -35,7 +35,8 @@ bool ScenePicture::fresh(const SceneRequest& request, double time) const {
   return m_shown.size == request.size && m_shown.revision == request.revision && m_time == time &&
          m_shown.hovered == request.hovered && m_shown.detail == request.detail &&
          m_shown.selected == request.selected && sameCamera(m_shown.camera, request.camera) &&
-         m_shown.overlays == request.overlays;
+         m_shown.overlays == request.overlays && m_shown.grassView == request.grassView &&
+         m_shown.bezierCulling == request.bezierCulling;
 }
 
 bool ScenePicture::update(Session& session, const SceneRequest& request) {
@@ -66,6 +67,8 @@ bool ScenePicture::update(Session& session, const SceneRequest& request) {
   view.size = request.size;
   view.framebuffer = m_target.name();
   view.overlays = request.overlays;
+  view.grassView = request.grassView;
+  view.bezierCulling = request.bezierCulling;
   view.highlight = {m_shown.selected, m_shown.hovered};
   view.quality = {.detail = request.detail, .still = still};
   session.draw(view);

@@ -18,6 +18,8 @@ struct SceneRequest {
   glm::ivec2 size{0};          ///< framebuffer pixels
   std::uint64_t revision = 0;  ///< of the project
   Overlays overlays;
+  GrassView grassView = GrassView::Normal;
+  BezierCulling bezierCulling;
   std::vector<Id> selected;
   Id hovered = 0;
   float detail = 1;  ///< of the grass, 0..1

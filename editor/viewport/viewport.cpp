@@ -83,7 +83,7 @@ void Viewport::drawOver(Workspace& workspace, bool hasScene) {
   // Only over an empty field: anything drawn may lie under the hint, with its handles.
   const Project& project = workspace.document.project();
   const bool empty = project.graph->points.empty() && project.obstacles->empty() && project.colliders->empty() &&
-                     project.probes->empty();
+                     project.surfaces->empty() && project.rotors->empty() && project.probes->empty();
   if (empty && !workspace.tools.busy()) firstTreeHint(m_area);
 }
 
@@ -122,6 +122,8 @@ bool Viewport::updatePicture(Session& session, const Workspace& workspace, float
       glm::ivec2(glm::round(glm::vec2(m_area.max.x - m_area.min.x, m_area.max.y - m_area.min.y) * pixelRatio));
   request.revision = workspace.document.revision();
   request.overlays = overlays;
+  request.grassView = grassView;
+  request.bezierCulling = bezierCulling;
   const auto ids = workspace.selection.ids();
   request.selected.assign(ids.begin(), ids.end());
   request.hovered = workspace.tools.hovered();

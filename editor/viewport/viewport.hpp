@@ -13,6 +13,8 @@ namespace windloom::editor {
 class Viewport {
  public:
   Overlays overlays;
+  GrassView grassView = GrassView::Normal;  ///< Bezier grass only
+  BezierCulling bezierCulling;
 
   /// Lays it out in the current ImGui window, gives it the frame's mouse events, and draws what lies over the
   /// picture. Call it after the panels, so that a click here finds typed values entered.

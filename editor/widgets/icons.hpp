@@ -53,6 +53,8 @@ inline constexpr const char* kBall = "\xef\x87\xa3";         // f1e3 futbol-o
 inline constexpr const char* kCapsule = "\xef\x88\x84";      // f204 toggle-off
 inline constexpr const char* kMesh = "\xef\x86\xb2";         // f1b2 cube
 inline constexpr const char* kPlant = "\xef\x86\x8c";        // f18c pagelines
+inline constexpr const char* kSurface = "\xef\x82\xac";      // f0ac globe
+inline constexpr const char* kRotor = "\xef\x81\xa9";        // f069 asterisk
 inline constexpr const char* kBrush = "\xef\x87\xbc";        // f1fc paint-brush
 
 /// `symbol`, or `text` where the icon font is missing.

@@ -6,6 +6,7 @@
 
 #include "engine/io/image.hpp"
 #include "engine/io/plant_file.hpp"
+#include "engine/model/sphere_packing.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -90,9 +91,14 @@ void fillColliders(Project& project, Loader& loader) {
     if (one.shape == ColliderShape::Mesh) loader.know(MeshUse::Object, one.mesh);
   }
   bool changed = false;
+  std::map<std::pair<const PlantMesh*, int>, std::shared_ptr<const PlantMesh>>
+      packings;  // shared by those that want the same
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (all[i].shape != ColliderShape::Mesh) continue;
     changed |= loader.fill(all[i].mesh, all[i].file, MeshUse::Object, "/colliders/" + std::to_string(i) + "/file");
+    std::shared_ptr<const PlantMesh>& packed = packings[{all[i].mesh.get(), all[i].spheres}];
+    if (!packed) packed = packedWith(all[i].mesh, all[i].spheres);
+    changed |= std::exchange(all[i].mesh, packed) != packed;
   }
   if (changed) project.colliders = std::make_shared<std::vector<Collider>>(std::move(all));
 }

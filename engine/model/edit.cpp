@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <optional>
+#include <type_traits>
 #include <unordered_map>
 #include <unordered_set>
 
 #include "engine/model/id_index.hpp"
+#include "engine/model/sphere_packing.hpp"
 #include "engine/model/validate.hpp"
 
 namespace windloom {
@@ -172,6 +174,7 @@ class Editing {
   template <class Record>
   static Record inStep(Record record) {
     keepInStep(record.mesh, record.file);
+    if constexpr (std::is_same_v<Record, Collider>) record.mesh = packedWith(record.mesh, record.spheres);
     return record;
   }
   template <class Record>

@@ -289,6 +289,8 @@ std::span<const Parameter<Collider>> parametersOf<Collider>() {
                          "Turn from +x towards +z while it rests; capsule and mesh."),
       text<&C::file>("file", "File", "glTF object below the project's folder; mesh."),
       real<&C::scale>("scale", "Scale", "", 0.0001, 10000, 0.01, "Size of the mesh over what its file says."),
+      integer<&C::spheres>("spheres", "Spheres", "", 1, 1024, 1,
+                           "At most, that stand for the mesh where it meets grass; mesh."),
       toggle<&C::loop>("loop", "Loop", "Begins again after its last key."),
       toggle<&C::roll>("roll", "Roll", "A sphere turns as it moves."),
       toggle<&C::hidden>("hidden", "Hidden", "Not drawn; it still bends the grass."),

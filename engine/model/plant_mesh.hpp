@@ -12,7 +12,8 @@ namespace windloom {
 inline constexpr std::size_t kMaxPlantTriangles = 20'000;    ///< of one plant
 inline constexpr int kMaxPlantTexture = 4096;                ///< pixels per side; larger ones are made smaller
 inline constexpr std::size_t kMaxObjectTriangles = 500'000;  ///< of one collider
-inline constexpr std::size_t kMaxSpheres = 256;              ///< of one collider
+inline constexpr std::size_t kMaxSpheres = 1024;             ///< of one collider
+inline constexpr std::size_t kUsualSpheres = 256;            ///< of one that asks for nothing else
 inline constexpr int kMaxGrassMap = 2048;                    ///< pixels per side; larger ones are made smaller
 
 struct PlantVertex {
@@ -32,6 +33,7 @@ struct PlantMesh {
   float alphaCutoff = 0.5f;           ///< below it nothing is drawn
   glm::vec3 low{0.0f}, high{0.0f};    ///< bounds, m
   std::vector<glm::vec4> spheres;     ///< packed into it (colliders): centre and radius, m
+  std::size_t mostSpheres = kUsualSpheres;  ///< that it was packed with
 };
 
 /// A picture laid over the field: its left upper corner lies at low x and low z.

@@ -15,8 +15,8 @@ bool operator==(const Species& a, const Species& b) {
 
 bool operator==(const Collider& a, const Collider& b) {
   const auto values = [](const Collider& c) {
-    return std::tie(c.id, c.name, c.shape, c.position, c.lift, c.radius, c.length, c.rotation, c.file, c.scale, c.keys,
-                    c.loop, c.roll, c.hidden, c.muted, c.locked, c.extra);
+    return std::tie(c.id, c.name, c.shape, c.position, c.lift, c.radius, c.length, c.rotation, c.file, c.scale,
+                    c.spheres, c.keys, c.loop, c.roll, c.hidden, c.muted, c.locked, c.extra);
   };
   return values(a) == values(b);
 }

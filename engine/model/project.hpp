@@ -273,6 +273,7 @@ struct Collider {
   float rotation = 0.0f;           ///< deg from +X towards +Z: where capsule and mesh point, while they rest
   std::string file;                ///< of a mesh: glTF below the project's folder
   float scale = 1.0f;              ///< of the mesh
+  int spheres = 256;               ///< at most, that stand for the mesh where it meets grass; 1..1024
   std::vector<ColliderKey> keys;   ///< ascending times; none: it rests
   bool loop = true;                ///< begins again after its last key
   bool roll = true;                ///< a sphere turns as it moves

@@ -7,7 +7,7 @@
 namespace windloom {
 namespace {
 
-constexpr int kVoxels = 40;  // along the longest side
+constexpr int kVoxels = 40;  // along the longest side, for kUsualSpheres and less
 constexpr float kEnoughCovered = 0.985f;
 
 /// Voxels of a box around the mesh, with an empty rim of one.
@@ -29,7 +29,13 @@ struct Voxels {
   }
 };
 
-Voxels boxAround(const PlantMesh& mesh) {
+/// Along the longest side: four times the spheres see details half as large (they stand for a surface).
+int voxelsFor(std::size_t most) {
+  const double more = static_cast<double>(std::max(most, kUsualSpheres)) / static_cast<double>(kUsualSpheres);
+  return static_cast<int>(std::lround(kVoxels * std::sqrt(more)));
+}
+
+Voxels boxAround(const PlantMesh& mesh, int along) {
   glm::vec3 low = mesh.vertices[mesh.indices.front()].position, high = low;
   for (const std::uint32_t index : mesh.indices) {
     low = glm::min(low, mesh.vertices[index].position);
@@ -37,7 +43,7 @@ Voxels boxAround(const PlantMesh& mesh) {
   }
   const glm::vec3 size = high - low;
   Voxels voxels;
-  voxels.side = std::max(std::max({size.x, size.y, size.z}) / kVoxels, 1e-6f);
+  voxels.side = std::max(std::max({size.x, size.y, size.z}) / static_cast<float>(along), 1e-6f);
   voxels.count = glm::ivec3(glm::ceil(size / voxels.side - 1e-3f)) + 2;
   voxels.count = glm::max(voxels.count, glm::ivec3(3));
   voxels.low = 0.5f * (low + high) - 0.5f * voxels.side * glm::vec3(voxels.count);
@@ -108,7 +114,8 @@ void markSurface(const PlantMesh& mesh, Voxels& voxels) {
     const glm::vec3 a = mesh.vertices[mesh.indices[t]].position, b = mesh.vertices[mesh.indices[t + 1]].position,
                     c = mesh.vertices[mesh.indices[t + 2]].position;
     const float longest = std::max({glm::length(b - a), glm::length(c - a), glm::length(c - b)});
-    const int steps = std::clamp(static_cast<int>(std::ceil(2.0f * longest / voxels.side)), 1, 4 * kVoxels);
+    const int steps = std::clamp(static_cast<int>(std::ceil(2.0f * longest / voxels.side)), 1,
+                                 4 * glm::max(voxels.count.x, glm::max(voxels.count.y, voxels.count.z)));
     for (int i = 0; i <= steps; ++i) {
       for (int k = 0; i + k <= steps; ++k) {
         const glm::vec2 part = glm::vec2(i, k) / static_cast<float>(steps);
@@ -121,13 +128,13 @@ void markSurface(const PlantMesh& mesh, Voxels& voxels) {
   }
 }
 
-Voxels voxelise(const PlantMesh& mesh) {
-  Voxels voxels = boxAround(mesh);
+Voxels voxelise(const PlantMesh& mesh, int along) {
+  Voxels voxels = boxAround(mesh, along);
   for (int axis = 0; axis < 3; ++axis) vote(mesh, voxels, axis);
   for (std::uint8_t& votes : voxels.inside) votes = votes >= 2 ? 1 : 0;
   // Next to nothing inside of what is many voxels large: no closed surface.
   const auto filled = std::ranges::count(voxels.inside, std::uint8_t{1});
-  if (filled < kVoxels) {
+  if (filled < along) {
     std::ranges::fill(voxels.inside, std::uint8_t{0});
     markSurface(mesh, voxels);
   }
@@ -205,10 +212,11 @@ std::size_t cover(const Voxels& voxels, glm::ivec3 centre, float radius, std::ve
 
 }  // namespace
 
-std::vector<glm::vec4> packSpheres(const PlantMesh& mesh) {
+std::vector<glm::vec4> packSpheres(const PlantMesh& mesh, std::size_t most) {
   std::vector<glm::vec4> spheres;
   if (mesh.indices.size() < 3) return spheres;
-  const Voxels voxels = voxelise(mesh);
+  most = std::clamp<std::size_t>(most, 1, kMaxSpheres);
+  const Voxels voxels = voxelise(mesh, voxelsFor(most));
   const std::vector<float> squares = distancesOutwards(voxels);
   std::vector<std::size_t> order;
   for (std::size_t i = 0; i < squares.size(); ++i) {
@@ -219,7 +227,7 @@ std::vector<glm::vec4> packSpheres(const PlantMesh& mesh) {
   const auto enough = static_cast<std::size_t>(kEnoughCovered * static_cast<float>(order.size()));
   std::size_t done = 0;
   for (const std::size_t i : order) {
-    if (spheres.size() == kMaxSpheres || done >= enough) break;
+    if (spheres.size() == most || done >= enough) break;
     if (covered[i] != 0) continue;
     const glm::ivec3 place = voxels.place(i);
     // The surface runs about half a voxel before the first centre outside.
@@ -228,6 +236,15 @@ std::vector<glm::vec4> packSpheres(const PlantMesh& mesh) {
     spheres.emplace_back(voxels.centre(place.x, place.y, place.z), radius * voxels.side);
   }
   return spheres;
+}
+
+std::shared_ptr<const PlantMesh> packedWith(std::shared_ptr<const PlantMesh> mesh, int most) {
+  const std::size_t wanted = static_cast<std::size_t>(std::clamp(most, 1, static_cast<int>(kMaxSpheres)));
+  if (!mesh || mesh->mostSpheres == wanted) return mesh;
+  auto packed = std::make_shared<PlantMesh>(*mesh);
+  packed->spheres = packSpheres(*packed, wanted);
+  packed->mostSpheres = wanted;
+  return packed;
 }
 
 }  // namespace windloom

@@ -20,6 +20,7 @@
 #include "engine/render/overlay_pass.hpp"
 #include "engine/render/scene_targets.hpp"
 #include "engine/render/solids.hpp"
+#include "engine/render/surface_pass.hpp"
 #include "shaders/shared/render_bindings.h"
 
 namespace windloom {
@@ -34,6 +35,7 @@ constexpr glm::ivec2 kOccluderSize{256, 128};
 struct Parts {
   InstancedGrass grass;
   BezierGrass bezier;
+  BezierPhysics bezierPhysics;
   GrassMaps maps;
   PlantPass plants;
   GrassDynamics dynamics;
@@ -41,6 +43,7 @@ struct Parts {
   GroundPass ground;
   SolidPass solids;
   ColliderPass colliders;
+  SurfacePass surfaces;
   Occluders occluders;
   OverlayPass overlays;
   Rotors rotors;
@@ -53,6 +56,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!grass) return grass.error();
   Result<BezierGrass> bezier = BezierGrass::create(shaders);
   if (!bezier) return bezier.error();
+  Result<BezierPhysics> bezierPhysics = BezierPhysics::create(shaders);
+  if (!bezierPhysics) return bezierPhysics.error();
   Result<GrassMaps> maps = GrassMaps::create();
   if (!maps) return maps.error();
   Result<PlantPass> plants = PlantPass::create(shaders);
@@ -67,6 +72,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!solids) return solids.error();
   Result<ColliderPass> colliders = ColliderPass::create(shaders);
   if (!colliders) return colliders.error();
+  Result<SurfacePass> surfaces = SurfacePass::create(shaders);
+  if (!surfaces) return surfaces.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
   Result<Occluders> occluders = Occluders::create(shaders, kOccluderSize);
@@ -77,10 +84,10 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),     std::move(*bezier),   std::move(*maps),      std::move(*plants),
-               std::move(*dynamics),  std::move(*backdrop), std::move(*ground),    std::move(*solids),
-               std::move(*colliders), std::move(*occluders), std::move(*overlays), std::move(*rotors),
-               std::move(*noise),     std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*bezier),    std::move(*bezierPhysics), std::move(*maps),
+               std::move(*plants),   std::move(*dynamics),  std::move(*backdrop),      std::move(*ground),
+               std::move(*solids),   std::move(*colliders), std::move(*surfaces),      std::move(*occluders),
+               std::move(*overlays), std::move(*rotors),    std::move(*noise),         std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -162,6 +169,9 @@ class FrameRendererImpl final : public FrameRenderer {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
     if (project.colliders != m_colliders && !accept(m_parts.colliders.configure(*project.colliders))) return false;
+    if (ground || project.surfaces != m_surfaces) {
+      if (!accept(m_parts.surfaces.configure(*project.surfaces, heights.get()))) return false;
+    }
     const Placement placement = input.quality.complete ? Placement::Wait : Placement::Later;
     if (isBezier(project) && !accept(m_parts.bezier.configure(project, placement))) return false;
     m_heights = heights;
@@ -170,6 +180,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_species = project.species;
     m_obstacles = project.obstacles;
     m_colliders = project.colliders;
+    m_surfaces = project.surfaces;
     return true;
   }
 
@@ -250,7 +261,7 @@ class FrameRendererImpl final : public FrameRenderer {
             .quick = quick(input)};
   }
 
-  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || !m_parts.ground.flat(); }
+  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || m_parts.surfaces.any() || !m_parts.ground.flat(); }
 
   void updateOccluders(const FrameInput& input) {
     if (!occluding()) {
@@ -259,14 +270,14 @@ class FrameRendererImpl final : public FrameRenderer {
     }
     m_parts.occluders.update([&](const gpu::PassState& state) {
       m_parts.solids.draw(state);
+      m_parts.surfaces.draw(state);
       if (!m_parts.ground.flat()) m_parts.ground.draw(state, m_block, input.camera, Backdrop::GroundDetail::Plain);
     });
   }
 
   void moveGrass(const FrameInput& input) {
     if (isBezier(*input.project)) {
-      m_parts.bezier.findSeen();
-      m_parts.dynamics.bind();
+      moveBezier(input);
       return;
     }
     const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
@@ -274,6 +285,18 @@ class FrameRendererImpl final : public FrameRenderer {
       m_parts.dynamics.advance(*input.project, input.time, quick(input) ? RunUp::Quick : RunUp::Full);
     }
     m_parts.dynamics.bind();
+  }
+
+  void moveBezier(const FrameInput& input) {
+    m_parts.dynamics.bind();  // for the plants
+    m_parts.bezier.findSeen();
+    const BezierStore store = m_parts.bezier.store();
+    if (store.patchCount == 0) return;
+    if (m_parts.bezier.generation() != m_bladesMoved) {
+      if (!accept(m_parts.bezierPhysics.configure(store))) return;
+      m_bladesMoved = m_parts.bezier.generation();
+    }
+    m_parts.bezierPhysics.advance(*input.project, store, input.time, quick(input));
   }
 
   void drawScene(const FrameInput& input) {
@@ -284,6 +307,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
+    m_parts.surfaces.draw(state);
     m_parts.colliders.draw(state, *input.project, input.time);
     if (isBezier(*input.project)) {
       drawBezier(state);
@@ -339,12 +363,14 @@ class FrameRendererImpl final : public FrameRenderer {
   SceneTargets m_targets;
   gpu::GpuTimer m_timer;
   FrameBlock m_block{};  // of the last frame
+  int m_bladesMoved = 0;  // generation of the Bezier blades that the physics knows
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;
   Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
   Shared<std::vector<Collider>> m_colliders;
+  Shared<std::vector<Surface>> m_surfaces;
   std::string m_lastError;
 };
 

@@ -325,6 +325,8 @@ void SessionImpl::draw(const View& view) {
   input.overlays = view.overlays;
   input.highlight = view.highlight;
   input.quality = view.quality;
+  input.grassView = view.grassView;
+  input.bezierCulling = view.bezierCulling;
   m_status.frame = m_renderer->render(input);
   if (!onCpu()) m_readout.sample(m_simulation->solver().velocityTexture(), m_simulation->solver().grid());
 }

@@ -206,6 +206,27 @@ TEST_F(AssetsInEditor, AnObjectBecomesTheShapeOfTheSelectedCollider) {
   EXPECT_EQ(project().colliders->back().position, glm::vec2(3, 4));
 }
 
+TEST_F(AssetsInEditor, AFileBecomesASurfaceOrItsShape) {
+  load({.use = AssetUse::Surface, .place = {3, 4}}, "elsewhere/tuft.glb");
+  ASSERT_EQ(project().surfaces->size(), 1u) << m_failure;
+  const Surface hill = project().surfaces->front();
+  EXPECT_EQ(hill.shape, SurfaceShape::Mesh);
+  EXPECT_EQ(hill.file, "assets/tuft.glb");
+  EXPECT_EQ(hill.name, "tuft");
+  EXPECT_EQ(hill.position, glm::vec2(3, 4));
+  ASSERT_NE(hill.mesh, nullptr);
+  EXPECT_TRUE(hill.mesh->spheres.empty());
+  EXPECT_EQ(w().selection.active(), hill.id);
+  EXPECT_TRUE(w().actions.run("add.sphere"));
+  const AssetTarget ball{.use = AssetUse::Surface, .ids = {w().selection.active()}};
+  EXPECT_EQ(assetFileOf(project(), ball), "");
+  load(ball, "elsewhere/tuft.glb");
+  EXPECT_EQ(findSurface(project(), ball.ids[0])->shape, SurfaceShape::Mesh);
+  EXPECT_EQ(assetFileOf(project(), ball), "assets/tuft.glb");
+  EXPECT_TRUE(isAssetRead(project(), ball));
+  EXPECT_EQ(m_bench.steps(), 3u);
+}
+
 TEST_F(AssetsInEditor, AMapIsSetAndCleared) {
   load({.use = AssetUse::DensityMap}, "elsewhere/mask.png");
   EXPECT_EQ(project().grass->densityMap, "assets/mask.png") << m_failure;
@@ -225,6 +246,7 @@ TEST_F(AssetsInEditor, BrokenFilesAreToldAndNothingIsCopied) {
   ASSERT_TRUE(writeFileAtomically(m_folder / "elsewhere/bad.png", "no picture"));
   for (const auto& [use, file] : {std::pair{AssetUse::Species, "elsewhere/bad.glb"},
                                   {AssetUse::Collider, "elsewhere/lost.glb"},
+                                  {AssetUse::Surface, "elsewhere/bad.glb"},
                                   {AssetUse::ColourMap, "elsewhere/bad.png"}}) {
     m_failure.clear();
     load({.use = use}, file);

@@ -80,7 +80,7 @@ TEST(SpherePacking, CoversSolidsWithoutStickingOut) {
     SCOPED_TRACE(solid.name);
     const std::vector<glm::vec4> spheres = packSpheres(solid.mesh);
     ASSERT_FALSE(spheres.empty());
-    EXPECT_LE(spheres.size(), kMaxSpheres);
+    EXPECT_LE(spheres.size(), kUsualSpheres);
     const float voxel = 2.0f * std::max({solid.half.x, solid.half.y, solid.half.z}) / 40.0f;
     for (const glm::vec4& one : spheres) {
       const float outside = solid.outside(glm::vec3(one));
@@ -118,6 +118,32 @@ TEST(SpherePacking, CoversASheetThatEnclosesNothing) {
 
 TEST(SpherePacking, GivesTheSameEveryTime) {
   EXPECT_EQ(packSpheres(torus(0.8f, 0.25f)), packSpheres(torus(0.8f, 0.25f)));
+}
+
+TEST(SpherePacking, GivesAsManyAsAskedForAndNoFewerDetails) {
+  const PlantMesh ring = torus(0.8f, 0.25f);
+  EXPECT_EQ(packSpheres(ring, 10).size(), 10u);
+  EXPECT_EQ(packSpheres(ring, kUsualSpheres), packSpheres(ring)) << "the usual number";
+  const std::vector<glm::vec4> many = packSpheres(ring, 1000);
+  EXPECT_EQ(many.size(), 1000u);
+  EXPECT_LT(many.back().w, packSpheres(ring).back().w) << "smaller voxels";
+  for (const glm::vec4& one : many) {
+    const float outside = glm::length(glm::vec2(glm::length(glm::vec2(one.x, one.z)) - 0.8f, one.y)) - 0.25f;
+    EXPECT_LE(outside + one.w, 2.1f / 79.0f);
+  }
+  EXPECT_LE(packSpheres(ring, 5000).size(), kMaxSpheres);
+}
+
+TEST(SpherePacking, RepacksOnlyForAnotherNumber) {
+  auto mesh = std::make_shared<PlantMesh>(torus(0.8f, 0.25f));
+  mesh->spheres = packSpheres(*mesh);
+  EXPECT_EQ(packedWith(mesh, 256), mesh);
+  const auto packed = packedWith(mesh, 600);
+  ASSERT_NE(packed, mesh);
+  EXPECT_EQ(packed->spheres.size(), 600u);
+  EXPECT_EQ(packedWith(packed, 600), packed);
+  EXPECT_EQ(packedWith(packed, 256)->spheres, mesh->spheres);
+  EXPECT_EQ(packedWith(nullptr, 600), nullptr);
 }
 
 }  // namespace

@@ -1,0 +1,121 @@
+// Dragging the handles of a surface or a rotor.
+#include <algorithm>
+#include <cmath>
+
+#include "editor/core/grips.hpp"
+#include "editor/core/number_entry.hpp"
+#include "editor/core/snapping.hpp"
+#include "editor/core/surface_shape.hpp"
+#include "engine/core/text.hpp"
+
+namespace windloom::editor {
+namespace {
+
+std::string metres(float value) {
+  return fixed(static_cast<double>(value), 2) + " m";
+}
+
+/// The part of both drags that follows the pointer.
+class ShapeDrag : public Drag {
+ public:
+  explicit ShapeDrag(const Grip& grip) : m_grip(grip), m_place(grip.place) {}
+
+  std::optional<Edit> update(ToolContext& context, const PointerEvent& pointer) override {
+    m_pixel = pointer.pixel;
+    m_held = pointer.modifiers;
+    if (const auto place = context.groundAt(pointer.pixel)) m_place = *place;
+    return make(context);
+  }
+  std::optional<Edit> end(ToolContext& context) override { return make(context); }
+  bool onKey(ToolContext&, const KeyPress& press) override {
+    if (press.key == Key::Enter || press.key == Key::NumpadEnter) {
+      m_finished = true;
+      return true;
+    }
+    return m_number.onKey(press);
+  }
+  [[nodiscard]] bool finished() const override { return m_finished; }
+  void shapes(const ToolContext&, PreviewShapes& shapes) const override {
+    shapes.labels.push_back({m_pixel + glm::vec2(16.0f, 16.0f), m_number.empty() ? m_text : m_number.text()});
+  }
+  [[nodiscard]] std::string hint(const ToolContext&) const override {
+    return "Type a value + Enter, Ctrl snaps, Esc cancels";
+  }
+
+ protected:
+  virtual std::optional<Edit> make(const ToolContext& context) = 0;
+  /// From the middle of the thing to the pointer, snapped, m.
+  [[nodiscard]] float distance(const ToolContext& context) const {
+    return glm::distance(snapToGrid(context.settings.snap, m_place, m_held), m_grip.pivot);
+  }
+
+  Grip m_grip;
+  glm::vec2 m_place, m_pixel{0.0f};
+  Modifiers m_held;
+  NumberEntry m_number;
+  std::string m_text;
+  bool m_finished = false;
+};
+
+class SurfaceDrag : public ShapeDrag {
+ public:
+  using ShapeDrag::ShapeDrag;
+
+ private:
+  std::optional<Edit> make(const ToolContext& context) override {
+    const Surface* before = findSurface(context.document.committed(), m_grip.object);
+    if (!before) return std::nullopt;
+    Surface surface = *before;
+    if (m_grip.kind == GripKind::Radius) {
+      resize(surface, distance(context) / std::max(1e-4f, boxOf(*before).high.x));
+    } else {
+      const glm::vec2 way = m_place - m_grip.pivot;
+      const float angle = snapAngle(context.settings.snap, glm::degrees(std::atan2(way.y, way.x)), m_held);
+      surface.rotation = std::remainder(m_number.value().value_or(angle), 360.0f);
+      m_text = fixed(static_cast<double>(surface.rotation), 1) + " deg";
+    }
+    if (surface == *before) return std::nullopt;
+    return Edit{.label = "Shape surface", .steps = {Put<Surface>{std::move(surface)}}, .mergeKey = {}};
+  }
+
+  void resize(Surface& surface, float factor) {
+    constexpr float kMinSizeM = 0.05f, kMinScale = 0.0001f;
+    const auto typed = m_number.value();
+    if (surface.shape == SurfaceShape::Mesh) {
+      surface.scale = std::max(kMinScale, typed ? *typed : surface.scale * factor);
+      m_text = fixed(static_cast<double>(surface.scale), 3) + " x";
+    } else {
+      surface.size = std::max(kMinSizeM, typed ? *typed : surface.size * factor);
+      m_text = "size " + metres(surface.size);
+    }
+  }
+};
+
+class RotorDrag : public ShapeDrag {
+ public:
+  using ShapeDrag::ShapeDrag;
+
+ private:
+  std::optional<Edit> make(const ToolContext& context) override {
+    constexpr float kMinRadiusM = 0.1f;
+    const Rotor* before = findRotor(context.document.committed(), m_grip.object);
+    if (!before) return std::nullopt;
+    Rotor rotor = *before;
+    rotor.radius = std::max(kMinRadiusM, m_number.value().value_or(distance(context)));
+    m_text = "radius " + metres(rotor.radius);
+    if (rotor == *before) return std::nullopt;
+    return Edit{.label = "Shape rotor", .steps = {Put<Rotor>{std::move(rotor)}}, .mergeKey = {}};
+  }
+};
+
+}  // namespace
+
+std::unique_ptr<Drag> makeSurfaceDrag(const Grip& grip) {
+  return std::make_unique<SurfaceDrag>(grip);
+}
+
+std::unique_ptr<Drag> makeRotorDrag(const Grip& grip) {
+  return std::make_unique<RotorDrag>(grip);
+}
+
+}  // namespace windloom::editor
