@@ -220,6 +220,8 @@ void main() {
   bool onGround = part.reach.w < -0.5;
   uint index = patchIndex * BEZIER_PATCH + lane;
   bool exists = lane < min(uint(part.centre.w), uint(bezier.patches.y));
+  bool first = seen[patchIndex] == 2u || lane < uint(bezier.view.z);
+  exists = exists && first == (round == 0u);
   bool shown = false;
   BezierDrawn record;
   uint list = 0u, recordAt = 0u, listAt = 0u;
