@@ -94,7 +94,7 @@ GroundArea::GroundArea(const Project& project, double blades, ThreadPool& pool)
       m_steep(cosineOf(m_grass->slopeLimit)),
       m_gentle(cosineOf(m_grass->slopeLimit - 15.0f)),
       m_seed(static_cast<std::uint32_t>(m_grass->seed)) {
-  cut(std::clamp(blades / 16.0, kLeastCells, kMostCells));
+  cut(std::clamp(blades / 32.0, kLeastCells, kMostCells));
   for (int p = 0; p < 2; ++p) {
     Part& part = m_parts[p];
     part.sums.resize(part.cells.size());
