@@ -212,7 +212,7 @@ struct BezierSettings {
   float waveSpeed = 6.0f;     ///< m/s: how fast they run; waves
   float waveStrength = 5.0f;  ///< m/s: their wind at the crest; waves
   // Collision.
-  float collisionStrength = 2.0f;  ///< gained when what touches a blade moves its tip by its height (eq. 16)
+  float collisionStrength = 2.0f;  ///< gained when its tip is moved by its height within 1/4 s (eq. 16)
   float collisionFade = 0.6f;      ///< a, 1/s: strength lost (eq. 2)
   // Culling, see FrameInput for switching the tests off.
   float orientationLimit = 0.9f;  ///< eq. 17: blades seen more edge-on than this are left out, 0..1; 1: none

@@ -109,18 +109,20 @@ void main() {
   float wakeParts = asleep > 0.0 ? BEZIER_WAKE_PARTS : 0.0;
   float fade = physics.motion.w;
   blade.motion.strength = bezierFaded(blade.motion.strength, fade, asleep - wakeSeconds * wakeParts);
-  float parts = stepSeconds > 0.0 ? bezierParts(stepSeconds, blade.forces.wind) : 0.0;
+  float parts = bezierParts(stepSeconds, blade.forces.wind);
 #ifdef TOUCHED
-  if (stepSeconds > 0.0) parts = max(parts, touchParts);
+  parts = max(parts, touchParts);
 #endif
-  float seconds = stepSeconds / max(parts, 1.0);
-  // One loop, since a software renderer does all that a branch may.
-  for (float i = -wakeParts; i < parts; ++i) {
+  float seconds = stepSeconds / parts;
+  // One loop, tested at its end: a software renderer does what is in a branch not taken, and a loop's body once more where
+  // the test comes first.
+  float i = -wakeParts;
+  do {
     blade.motion = bezierSwing(blade.forces, blade.motion, fade, i < 0.0 ? wakeSeconds : seconds);
 #ifdef TOUCHED
     if (i >= 0.0) touch(blade, (i + 1.0) / parts, seconds);
 #endif
-  }
+  } while (++i < parts);
   float reach = blade.height * bezierReach(blade.motion.direction, blade.forces.up);
   states[index].tip = vec4(blade.motion.direction * reach, blade.motion.strength);
 }

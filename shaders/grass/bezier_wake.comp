@@ -11,8 +11,10 @@ layout(std430, binding = RENDER_SSBO_BEZIER_PATCHES) readonly buffer Patches { B
 layout(std430, binding = RENDER_SSBO_BEZIER_SEEN) readonly buffer Seen { uint seen[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_LIST) writeonly buffer List { BezierWork works[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_COMMANDS) buffer Commands {
-  uvec4 quiet;    // groups that nothing touches: from the list's begin
-  uvec4 touched;  // groups that something may touch: from its end
+  uint quiet;  // groups that nothing touches: from the list's begin
+  uint quietRows[3];
+  uint touched;  // groups that something may touch: from its end
+  uint touchedRows[3];
 };
 layout(std430, binding = RENDER_SSBO_BEZIER_PRIMITIVES) readonly buffer Movers {
   BezierRun runs[BEZIER_RUNS];
@@ -52,7 +54,7 @@ void main() {
   bool hit = moverCount > 0u && mayTouch(patches[index]);
   bool due = clock.known < kept || clock.pending + stepSeconds > 0.0;
   if (due && (hit || (looksOn && seen[index] != 0u))) {
-    uint place = hit ? patchCount - 1u - atomicAdd(touched.x, 1u) : atomicAdd(quiet.x, 1u);
+    uint place = hit ? patchCount - 1u - atomicAdd(touched, 1u) : atomicAdd(quiet, 1u);
     works[place] = BezierWork(index, min(clock.known, kept), clock.pending, 0u);
     clock = BezierClock(0.0, kept);
   } else {

@@ -111,9 +111,8 @@ WL_FUNCTION float bezierReach(vec3 direction, vec3 up) {
   float s = length(vec3(direction - up * c));
   float reach = 6.0f / (8.0f - 2.0f * c - 6.0f * s + s * sqrt(32.0f + (32.0f - 48.0f * s) / (1.0f + c)));
   if (1.0f - reach * s >= 0.05f) return reach;
-  // v1 at its lowest.
-  float b = 11.8f - 0.1f * c;
-  return (b - sqrt(b * b - 104.4f)) / 6.0f;
+  // v1 at its lowest; the root of that equation, (b - sqrt(b b - 104.4)) / 6 with b = 11.8 - 0.1 c, to 1e-5.
+  return 0.98291f + 0.01676f * c;
 }
 
 /// What turns a blade that points in `direction`: G above; `strength` eta.

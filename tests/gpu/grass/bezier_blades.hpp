@@ -139,4 +139,67 @@ struct BladeStore {
   gpu::Buffer m_blades, m_patches, m_states, m_seen;
 };
 
+inline vec3 randomUnit(std::mt19937& random) {
+  std::normal_distribution<float> normal;
+  return glm::normalize(vec3(normal(random), normal(random), normal(random)));
+}
+
+inline float between(std::mt19937& random, float low, float high) {
+  return std::uniform_real_distribution<float>(low, high)(random);
+}
+
+/// Blades of every kind in a box around the origin.
+inline std::vector<BladePlan> randomBlades(unsigned seed, int count) {
+  std::mt19937 random(seed);
+  std::vector<BladePlan> plans;
+  for (int i = 0; i < count; ++i) {
+    const vec3 root = vec3(3.0f, 1.0f, 3.0f) * randomUnit(random) * between(random, 0.2f, 1.0f);
+    plans.push_back({root, randomUnit(random), between(random, 0.1f, 0.8f), between(random, 0.5f, 2.0f),
+                     between(random, 0.0f, 1.0f)});
+  }
+  return plans;
+}
+
+/// Upright blades in rows, `step` m apart, rows along x.
+inline std::vector<BladePlan> lawn(glm::vec2 low, glm::ivec2 count, float step, float height = 0.5f) {
+  std::vector<BladePlan> plans;
+  for (int z = 0; z < count.y; ++z) {
+    for (int x = 0; x < count.x; ++x) {
+      plans.push_back({{low.x + step * float(x), 0.0f, low.y + step * float(z)},
+                       {0, 1, 0},
+                       height,
+                       1.0f,
+                       0.37f * float(x + 7 * z) - std::floor(0.37f * float(x + 7 * z))});
+    }
+  }
+  return plans;
+}
+
+inline std::vector<BezierState> randomStates(const BladeStore& blades, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<BezierState> states;
+  for (const BladePlan& blade : blades.blades) {
+    vec3 direction = randomUnit(random);
+    if (glm::dot(direction, blade.up) < 0.0f) direction = -direction;
+    states.push_back({glm::vec4(direction * blade.height * between(random, 0.3f, 1.2f), between(random, 0.0f, 2.0f))});
+  }
+  return states;
+}
+
+inline Collider ball(float radius, std::vector<ColliderKey> keys) {
+  Collider collider;
+  collider.radius = radius;
+  collider.keys = std::move(keys);
+  collider.loop = false;
+  return collider;
+}
+
+inline float farthest(const std::vector<BezierState>& a, const std::vector<BezierState>& b, const BladeStore& blades) {
+  float most = 0.0f;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    most = std::max(most, glm::length(vec3(a[i].tip - b[i].tip)) / blades.blades[i].height);
+  }
+  return most;
+}
+
 }  // namespace windloom::testing
