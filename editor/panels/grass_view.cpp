@@ -62,6 +62,7 @@ void drawTests(ActionTable& actions, const BezierCounts& counts) {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
     number(value);
+    look().map.fact(std::string("grass count.") + label, std::to_string(value));
   };
   sum("Drawn", counts.drawn);
   sum("In the patches seen", counts.inPatches);
