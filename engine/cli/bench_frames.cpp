@@ -56,6 +56,9 @@ FrameTimes summary(const Run& run) {
     (stage.starts_with("grass ") ? times.grassMs : times.drawingMs) += ms;
   }
   times.drawn = run.stats.bladesDrawn;
+  times.bezier = run.stats.bezier;
+  times.shapeBytes = gpu::bytesInUse("bezier blades");
+  times.stateBytes = gpu::bytesInUse("bezier states");
   times.grassBytes = gpu::bytesInUse("grass");
   times.allBytes = gpu::bytesInUse();
   return times;
@@ -75,9 +78,10 @@ Result<FrameBench> FrameBench::create(const BenchSetup& setup, glm::ivec2 size) 
 }
 
 Result<FrameTimes> FrameBench::run(const Project& project, Simulation* simulation, const ViewCamera& camera,
-                                   const FrameQuality& quality) {
+                                   const FrameQuality& quality, const BezierCulling& culling) {
   Run run{*m_renderer, simulation, benchFrame(project, {}, camera, m_target), gpu::GpuTimer(), {}, {}, {}};
   run.input.quality = quality;
+  run.input.bezierCulling = culling;
   m_target.clearColour({1.0f, 0.0f, 1.0f, 0.0f});
   run.frame();
   // The renderer gives every pixel alpha 1.

@@ -17,9 +17,11 @@ struct FrameTimes {
   double frameMs = 0;    ///< from a frame's begin to the next one's where they follow without a wait, GPU
   double wallMs = 0;     ///< the same on the wall clock
   long long drawn = 0;   ///< blades
+  BezierCounts bezier;   ///< of the last frame
   int frames = 0;        ///< measured
-  std::size_t grassBytes = 0, allBytes = 0;  ///< of GPU memory while it ran
-  Json stages = Json::object();              ///< of the picture, ms
+  std::size_t grassBytes = 0, allBytes = 0;    ///< of GPU memory while it ran
+  std::size_t shapeBytes = 0, stateBytes = 0;  ///< the Bezier blades' part of it
+  Json stages = Json::object();                ///< of the picture, ms
 };
 
 class FrameBench {
@@ -30,7 +32,7 @@ class FrameBench {
   /// `simulation` null: still air, nothing is solved.
   /// Fails with Machine where the picture couldn't be drawn (no memory).
   Result<FrameTimes> run(const Project& project, Simulation* simulation, const ViewCamera& camera,
-                         const FrameQuality& quality);
+                         const FrameQuality& quality, const BezierCulling& culling = {});
 
  private:
   explicit FrameBench(const BenchSetup& setup) : m_setup(&setup) {}

@@ -12,6 +12,8 @@ constexpr BenchScene kScenes[] = {
     {"solver", "one wind step at 256 to 4096 squared, beside the plain scheme", benchSolver},
     {"meadow", "a wind step and a picture of 1 to 100 million blades, 1920 x 1080 (needs OpenGL)", benchMeadowTable},
     {"grassland", "a million blades on 280 m, still, in wind, touched by balls (needs OpenGL)", benchGrassland},
+    {"bezier", "Bezier grass: samples nature and helicopter, 1024 x 768, 8 samples a pixel (needs OpenGL)",
+     benchBezier},
     {"live", "the sample meadow played at 1280 x 720 for 20 s, with quality control (needs OpenGL)", benchLive},
     {"picture", "how near the thinned meadow comes to one with every blade drawn (needs OpenGL)", benchPicture},
     {"load", "reading a project of 10,000 arrows", benchLoad},

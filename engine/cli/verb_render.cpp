@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 
+#include "engine/cli/bezier_options.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/progress.hpp"
@@ -32,6 +33,7 @@ struct Options : CommonOptions {
   std::optional<double> density;
   int frames = 1;
   bool fullQuality = false, everyBlade = false;
+  BezierOptions bezier;
 };
 
 Error usage(const std::string& message) {
@@ -137,25 +139,39 @@ Result<Studio> openStudio(const Options& options, const Project& project, glm::i
   return studio;
 }
 
-void report(const Options& options, const Studio& studio, const std::vector<std::string>& images) {
+void report(const Options& options, const Studio& studio, const std::vector<std::string>& images, bool bezier) {
   const SessionStatus& status = studio.session->status();
   if (!options.json) {
     for (const std::string& image : images) std::printf("%s\n", image.c_str());
     return;
   }
-  printJson({{"ok", true},
-             {"file", options.file},
-             {"images", images},
-             {"time", studio.session->time()},
-             {"backend", status.backend == Backend::Gpu ? "gpu" : "cpu"},
-             {"resolution", {status.liveResolution.x, status.liveResolution.y}},
-             {"renderer", studio.context->info().renderer},
-             {"blades", status.frame.bladesTotal}});
+  Json told = {{"ok", true},
+               {"file", options.file},
+               {"images", images},
+               {"time", studio.session->time()},
+               {"backend", status.backend == Backend::Gpu ? "gpu" : "cpu"},
+               {"resolution", {status.liveResolution.x, status.liveResolution.y}},
+               {"renderer", studio.context->info().renderer},
+               {"blades", status.frame.bladesTotal}};
+  if (bezier) told["bezier"] = bezierCountsJson(status.frame.bezier);
+  printJson(told);
+}
+
+Session::View viewOf(const Options& options, const ViewCamera& camera, const Overlays& overlays, const Studio& studio) {
+  Session::View view;
+  view.camera = camera;
+  view.size = studio.target.size();
+  view.framebuffer = studio.target.name();
+  view.overlays = overlays;
+  view.quality.detail = options.fullQuality || options.everyBlade ? 1.0f : static_cast<float>(options.detail);
+  view.quality.still = options.fullQuality || options.everyBlade;
+  view.quality.thinning = !options.everyBlade;
+  applyBezierOptions(options.bezier, view);
+  return view;
 }
 
 int render(const Options& options) {
-  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "bezier" &&
-      options.grass != "none") {
+  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "bezier" && options.grass != "none") {
     return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier or none"), options);
   }
   const auto size = parsePair(options.size, kMaxSide);
@@ -171,14 +187,7 @@ int render(const Options& options) {
 
   noteInterrupts();
   Progress progress;
-  Session::View view;
-  view.camera = *camera;
-  view.size = *size;
-  view.framebuffer = studio->target.name();
-  view.overlays = *overlays;
-  view.quality.detail = options.fullQuality || options.everyBlade ? 1.0f : static_cast<float>(options.detail);
-  view.quality.still = options.fullQuality || options.everyBlade;
-  view.quality.thinning = !options.everyBlade;
+  const Session::View view = viewOf(options, *camera, *overlays, *studio);
   std::vector<std::string> images;
   const double end = options.time + (options.frames - 1) / options.fps;
   for (int frame = 0; frame < options.frames; ++frame) {
@@ -188,7 +197,10 @@ int render(const Options& options) {
     if (const Status saved = savePicture(studio->target, path); !saved) return reportError(saved.error(), options);
     images.push_back(path.string());
   }
-  report(options, *studio, images);
+  const bool bezier = project->grass->kind == GrassKind::Bezier;
+  // Counts come with a later frame.
+  if (options.json && bezier) studio->session->draw(view);
+  report(options, *studio, images, bezier);
   return kExitDone;
 }
 
@@ -231,6 +243,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_flag("--full-quality", options->fullQuality, "Everything as fine as it gets, however long it takes");
   app.add_flag("--every-blade", options->everyBlade,
                "Full quality, and every blade in sight drawn, however small: needs much memory");
+  addBezierOptions(app, options->bezier);
   addCommonOptions(app, *options);
   app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
   return [options] { return render(*options); };

@@ -91,9 +91,9 @@ std::vector<BezierMover> bezierMovers(std::span<const ColliderPrimitive> begin,
   return movers;
 }
 
-float bezierTouchParts(std::span<const BezierMover> movers) {
+float bezierTouchParts(std::span<const BezierMover> movers, float seconds) {
   constexpr float kThinM = 0.05f;  // thinner ones are parts of something
-  float parts = 1.0f;
+  float parts = std::max(std::ceil(seconds / BEZIER_TOUCH_STEP_S - 0.01f), 1.0f);
   for (const BezierMover& mover : movers) {
     const float way =
         std::max(glm::length(glm::vec3(mover.laterA - mover.a)), glm::length(glm::vec3(mover.laterB - mover.b)));
@@ -194,7 +194,7 @@ void BezierPhysics::step(const BezierStore& store, const Step& step, std::span<c
   m_step->set("kept", store.kept);
   m_step->set("moverCount", moverCount);
   m_step->set("stepSeconds", step.seconds);
-  m_step->set("touchParts", bezierTouchParts(movers));
+  m_step->set("touchParts", bezierTouchParts(movers, step.seconds));
   m_step->dispatchIndirect(m_commands, 0);
 }
 

@@ -46,8 +46,9 @@ BezierPhysicsBlock makeBezierPhysicsBlock(const Project& project, double seconds
 
 /// What moves in a step: primitives of its begin and end, where their number is the same; else those of the end stand.
 std::vector<BezierMover> bezierMovers(std::span<const ColliderPrimitive> begin, std::span<const ColliderPrimitive> end);
-/// Parts of a step in which no mover goes much farther than it is thick, 1..BEZIER_PARTS_MOST.
-float bezierTouchParts(std::span<const BezierMover> movers);
+/// Parts of a step of `seconds` where something touches, 1..BEZIER_PARTS_MOST: of BEZIER_TOUCH_STEP_S, and shorter ones
+/// where a mover would go much farther than it is thick.
+float bezierTouchParts(std::span<const BezierMover> movers, float seconds);
 
 class BezierPhysics {
  public:

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "engine/gpu/debug_group.hpp"
 #include "engine/model/collider_motion.hpp"
@@ -96,51 +95,12 @@ Result<ColliderPass> ColliderPass::create(gpu::ShaderLibrary& shaders) {
   return pass;
 }
 
-Result<ColliderPass::Object> ColliderPass::makeObject(const std::shared_ptr<const PlantMesh>& mesh) {
-  Object object;
-  object.mesh = mesh;
-  Result<gpu::Buffer> vertices = gpu::Buffer::create("collider vertices", std::span<const PlantVertex>(mesh->vertices));
-  if (!vertices) return vertices.error();
-  Result<gpu::Buffer> indices = gpu::Buffer::create("collider indices", std::span<const std::uint32_t>(mesh->indices));
-  if (!indices) return indices.error();
-  object.vertices = std::move(*vertices);
-  object.indices = std::move(*indices);
-  object.array = gpu::VertexArray::create("collider mesh");
-  object.array.vertexBuffer(0, object.vertices, sizeof(PlantVertex));
-  object.array.floats(0, 0, 3, offsetof(PlantVertex, position));
-  object.array.floats(1, 0, 3, offsetof(PlantVertex, normal));
-  object.array.floats(2, 0, 2, offsetof(PlantVertex, uv));
-  object.array.floats(3, 0, 4, offsetof(PlantVertex, colour));
-  object.array.indexBuffer(object.indices);
-  if (mesh->texture.empty()) return object;
-  Result<gpu::Texture> texture = gpu::Texture::create2D(
-      "collider texture", mesh->textureSize, GL_SRGB8_ALPHA8,
-      {.levels = 0, .filter = gpu::Filter::Trilinear, .wrap = gpu::Wrap::Repeat, .anisotropy = 8.0f});
-  if (!texture) return texture.error();
-  object.texture = std::move(*texture);
-  object.texture.upload(GL_RGBA, GL_UNSIGNED_BYTE, mesh->texture.data());
-  object.texture.generateMipmaps();
-  return object;
-}
-
 Status ColliderPass::configure(const std::vector<Collider>& colliders) {
-  std::vector<Object> objects;
+  std::vector<std::shared_ptr<const PlantMesh>> meshes;
   for (const Collider& collider : colliders) {
-    const auto& mesh = collider.mesh;
-    if (collider.shape != ColliderShape::Mesh || !mesh || mesh->indices.empty()) continue;
-    if (std::ranges::find(objects, mesh, &Object::mesh) != objects.end()) continue;
-    const auto kept = std::ranges::find(m_objects, mesh, &Object::mesh);
-    if (kept != m_objects.end()) {
-      objects.push_back(std::move(*kept));
-      kept->mesh.reset();
-      continue;
-    }
-    Result<Object> made = makeObject(mesh);
-    if (!made) return made.error();
-    objects.push_back(std::move(*made));
+    if (collider.shape == ColliderShape::Mesh) meshes.push_back(collider.mesh);
   }
-  m_objects = std::move(objects);
-  return Done{};
+  return m_objects.configure(meshes);
 }
 
 void ColliderPass::bindShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection) {
@@ -159,14 +119,13 @@ void ColliderPass::drawShape(const Collider& collider, const glm::mat4& world) c
 }
 
 void ColliderPass::drawMesh(const Collider& collider, const glm::mat4& world) const {
-  const auto object = std::ranges::find(m_objects, collider.mesh, &Object::mesh);
-  if (object == m_objects.end()) return;  // not read yet
+  const ObjectMesh* object = m_objects.find(collider.mesh);
+  if (object == nullptr) return;  // not read yet
   m_drawMesh->use();
-  object->array.bind();
   m_drawMesh->set("world", world);
   m_drawMesh->set("cutoff", collider.mesh->alphaCutoff);
   (object->texture.name() != 0 ? object->texture : m_white).bind(RENDER_TEXTURE_COLLIDER);
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(collider.mesh->indices.size()), GL_UNSIGNED_INT, nullptr);
+  object->draw();
 }
 
 void ColliderPass::draw(const gpu::PassState& state, const Project& project, double seconds) const {

@@ -10,6 +10,7 @@
 #include "engine/gpu/texture.hpp"
 #include "engine/gpu/vertex_array.hpp"
 #include "engine/model/project.hpp"
+#include "engine/render/object_mesh.hpp"
 #include "shaders/shared/collider_shade.h"
 
 namespace windloom {
@@ -34,21 +35,14 @@ class ColliderPass {
   void draw(const gpu::PassState& state, const Project& project, double seconds) const;
 
  private:
-  struct Object {
-    std::shared_ptr<const PlantMesh> mesh;
-    gpu::Buffer vertices, indices;
-    gpu::VertexArray array;
-    gpu::Texture texture;  // none: white
-  };
   ColliderPass() = default;
-  static Result<Object> makeObject(const std::shared_ptr<const PlantMesh>& mesh);
   void drawShape(const Collider& collider, const glm::mat4& world) const;
   void drawMesh(const Collider& collider, const glm::mat4& world) const;
 
   gpu::Program* m_drawShape = nullptr;
   gpu::Program* m_drawMesh = nullptr;
-  std::vector<Object> m_objects;
-  gpu::Texture m_white;
+  ObjectMeshes m_objects;
+  gpu::Texture m_white;  // of meshes without a texture
   gpu::Buffer m_shades;
   gpu::VertexArray m_noVertices;
 };

@@ -34,6 +34,7 @@ constexpr glm::ivec2 kOccluderSize{256, 128};
 struct Parts {
   InstancedGrass grass;
   BezierGrass bezier;
+  BezierPhysics bezierPhysics;
   GrassMaps maps;
   PlantPass plants;
   GrassDynamics dynamics;
@@ -53,6 +54,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!grass) return grass.error();
   Result<BezierGrass> bezier = BezierGrass::create(shaders);
   if (!bezier) return bezier.error();
+  Result<BezierPhysics> bezierPhysics = BezierPhysics::create(shaders);
+  if (!bezierPhysics) return bezierPhysics.error();
   Result<GrassMaps> maps = GrassMaps::create();
   if (!maps) return maps.error();
   Result<PlantPass> plants = PlantPass::create(shaders);
@@ -77,10 +80,10 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),     std::move(*bezier),   std::move(*maps),      std::move(*plants),
-               std::move(*dynamics),  std::move(*backdrop), std::move(*ground),    std::move(*solids),
-               std::move(*colliders), std::move(*occluders), std::move(*overlays), std::move(*rotors),
-               std::move(*noise),     std::move(*frame)};
+  return Parts{std::move(*grass),    std::move(*bezier),    std::move(*bezierPhysics), std::move(*maps),
+               std::move(*plants),   std::move(*dynamics),  std::move(*backdrop),      std::move(*ground),
+               std::move(*solids),   std::move(*colliders), std::move(*occluders),     std::move(*overlays),
+               std::move(*rotors),   std::move(*noise),     std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -265,8 +268,7 @@ class FrameRendererImpl final : public FrameRenderer {
 
   void moveGrass(const FrameInput& input) {
     if (isBezier(*input.project)) {
-      m_parts.bezier.findSeen();
-      m_parts.dynamics.bind();
+      moveBezier(input);
       return;
     }
     const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
@@ -274,6 +276,18 @@ class FrameRendererImpl final : public FrameRenderer {
       m_parts.dynamics.advance(*input.project, input.time, quick(input) ? RunUp::Quick : RunUp::Full);
     }
     m_parts.dynamics.bind();
+  }
+
+  void moveBezier(const FrameInput& input) {
+    m_parts.dynamics.bind();  // for the plants
+    m_parts.bezier.findSeen();
+    const BezierStore store = m_parts.bezier.store();
+    if (store.patchCount == 0) return;
+    if (m_parts.bezier.generation() != m_bladesMoved) {
+      if (!accept(m_parts.bezierPhysics.configure(store))) return;
+      m_bladesMoved = m_parts.bezier.generation();
+    }
+    m_parts.bezierPhysics.advance(*input.project, store, input.time, quick(input));
   }
 
   void drawScene(const FrameInput& input) {
@@ -339,6 +353,7 @@ class FrameRendererImpl final : public FrameRenderer {
   SceneTargets m_targets;
   gpu::GpuTimer m_timer;
   FrameBlock m_block{};  // of the last frame
+  int m_bladesMoved = 0;  // generation of the Bezier blades that the physics knows
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;
   Shared<GrassSettings> m_grass;

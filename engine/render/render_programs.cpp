@@ -20,6 +20,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"terrain/solid polygon", {"terrain/solid_polygon.vert", "terrain/solid.frag"}},
     {"terrain/collider", {"terrain/collider.vert", "terrain/collider.frag"}},
     {"terrain/collider mesh", {"terrain/collider.vert", "terrain/collider.frag"}, "MESH"},
+    {"terrain/surface", {"terrain/surface.vert", "terrain/surface.frag"}},
     {"field/speed map", {"field/map.vert", "field/speed_map.frag"}},
     {"field/divergence map", {"field/map.vert", "field/gradient_map.frag"}},
     {"field/vorticity map", {"field/map.vert", "field/gradient_map.frag"}, "VORTICITY"},

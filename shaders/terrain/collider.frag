@@ -5,6 +5,7 @@
 #include "shaders/include/ground.glsl"
 #include "shaders/include/solids.glsl"
 #include "shaders/include/atmosphere.glsl"
+#include "shaders/include/object_light.glsl"
 #include "shaders/include/scene_output.glsl"
 
 in vec3 objectWorld;
@@ -20,20 +21,7 @@ uniform vec2 shape;  // radius and length, m; length 0: a sphere
 uniform mat4 world;
 #endif
 
-struct Surface {
-  vec3 albedo;
-  vec3 normal;   // in the world
-  float gloss;   // how strongly the sun is mirrored
-};
-
 #ifndef MESH
-// Noise over a surface with this normal, from three sides.
-vec4 grain(vec3 own, vec3 n, float size) {
-  vec3 part = n * n * n * n;
-  part /= part.x + part.y + part.z;
-  return part.x * noiseAt(own.zy + 3.7, size) + part.y * noiseAt(own.xz, size) + part.z * noiseAt(own.xy + 7.1, size);
-}
-
 // The panels of a football: faces of a truncated icosahedron, each scored by how far a point lies behind its plane. By
 // the mirror symmetry only faces around the positive octant can win there.
 struct Panel {
@@ -136,30 +124,11 @@ Surface surfaceHere(vec3 n) {
 #endif
 }
 
-// Sun, sky and what the meadow around throws back.
-vec3 lit(Surface surface, vec3 v) {
-  float above = objectWorld.y - groundHeight(objectWorld.xz);
-  // Deep in the grass less light arrives.
-  float foot = smoothstep(0.0, 0.5, above);
-  float shadow = smoothstep(-0.2, 0.2, above - solidsNear(objectWorld.xz).shadowHeight);
-  shadow *= smoothstep(-0.5, 0.0, above - groundLight(objectWorld.xz, 0.0).shadowHeight);
-  vec3 n = surface.normal;
-  vec3 l = frame.sunDirection.xyz;
-  float sun = shadow * mix(0.55, 1.0, foot);
-  vec3 light = frame.sunColour.rgb * max(dot(n, l), 0.0) * sun;
-  light += frame.skyColour.rgb * (0.55 + 0.45 * n.y) * mix(0.45, 1.0, foot);
-  light += frame.sunColour.rgb * vec3(0.035, 0.045, 0.015) * (0.5 - 0.5 * n.y);
-  float mirrored = pow(max(dot(n, normalize(v + l)), 0.0), 24.0) * step(0.0, dot(n, l));
-  float edge = pow(1.0 - clamp(dot(n, v), 0.0, 1.0), 5.0);
-  vec3 sheen = frame.sunColour.rgb * mirrored * sun + frame.skyColour.rgb * edge * foot;
-  return surface.albedo * light + surface.gloss * sheen;
-}
-
 void main() {
   vec3 v = directionToCamera(objectWorld);
   vec3 n = normalize(objectNormal);
 #ifdef MESH
   if (!gl_FrontFacing) n = -n;
 #endif
-  writeScene(throughAir(lit(surfaceHere(n), v), objectWorld));
+  writeScene(throughAir(objectLight(surfaceHere(n), objectWorld, v), objectWorld));
 }

@@ -1,0 +1,218 @@
+// Tables 1 to 3 of Jahrmann & Wimmer, "Responsive real-time grass rendering", 2017, for our samples: what a frame costs
+// with everything, without collision and without culling of blades; and what culling does to the picture.
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+#include "engine/cli/bench_frames.hpp"
+#include "engine/core/file.hpp"
+#include "engine/gpu/memory.hpp"
+#include "engine/io/picture_compare.hpp"
+#include "engine/model/collider_motion.hpp"
+#include "engine/render/framing.hpp"
+#include "shaders/shared/bezier_blade.h"
+
+namespace windloom::cli {
+namespace {
+
+constexpr glm::ivec2 kPaperSize{1024, 768};
+constexpr int kPaperSamples = 8;
+constexpr double kMoment = 4.0;  // s: gusts are on their way, balls have left trails
+constexpr int kSettlingFrames = 4;
+constexpr const char* kScenes[] = {"nature", "helicopter"};
+constexpr BezierCulling kNoTests{false, false, false, false};
+
+struct Mode {
+  const char* name;
+  bool collision;
+  BezierCulling culling;
+};
+constexpr Mode kModes[] = {{"all features", true, {}}, {"no collision", false, {}}, {"no culling", true, kNoTests}};
+
+struct Column {
+  FrameTimes times;
+  std::size_t spheres = 0;  // that blades collide with
+
+  [[nodiscard]] double stage(const char* name) const { return times.stages.value(name, 0.0); }
+  [[nodiscard]] double rest() const {
+    double sum = 0;
+    for (const auto& [stage, ms] : times.stages.items()) {
+      if (!stage.starts_with("grass") && stage != "occluders") sum += ms.get<double>();
+    }
+    return sum;
+  }
+  [[nodiscard]] double perBlade(std::size_t bytes) const {
+    return static_cast<double>(bytes) / static_cast<double>(std::max(times.bezier.blades, 1LL));
+  }
+  /// What a frame can't do without, each byte once: shape and state of all blades are read and states written; culling
+  /// reads both of the blades of the patches in sight and lists those that are drawn; drawing reads these again.
+  [[nodiscard]] double floorMB() const {
+    constexpr double kShape = sizeof(shared::BezierBlade), kState = sizeof(shared::BezierState), kEntry = 4;
+    const BezierCounts& counts = times.bezier;
+    return (static_cast<double>(counts.blades) * (kShape + 2 * kState) +
+            static_cast<double>(counts.patches) * sizeof(shared::BezierPatch) +
+            static_cast<double>(counts.inPatches) * (kShape + kState) +
+            static_cast<double>(counts.drawn) * (kShape + kState + 2 * kEntry)) /
+           1e6;
+  }
+};
+
+struct Line {
+  const char* what;
+  Json (*of)(const Column& column);
+};
+constexpr Line kLines[] = {
+    {"frame ms", [](const Column& c) -> Json { return c.times.frameMs; }},
+    {"wind ms", [](const Column& c) -> Json { return c.times.windMs; }},
+    {"physics ms", [](const Column& c) -> Json { return c.stage("grass physics"); }},
+    {"visibility ms", [](const Column& c) -> Json { return c.stage("occluders") + c.stage("grass cull"); }},
+    {"rendering ms", [](const Column& c) -> Json { return c.stage("grass") + c.stage("grass far"); }},
+    {"rest ms", [](const Column& c) -> Json { return c.rest(); }},
+    {"blades", [](const Column& c) -> Json { return c.times.bezier.blades; }},
+    {"blades drawn", [](const Column& c) -> Json { return c.times.bezier.drawn; }},
+    {"blades of visible patches", [](const Column& c) -> Json { return c.times.bezier.inPatches; }},
+    {"culled by orientation", [](const Column& c) -> Json { return c.times.bezier.orientation; }},
+    {"culled by frustum", [](const Column& c) -> Json { return c.times.bezier.frustum; }},
+    {"culled by distance", [](const Column& c) -> Json { return c.times.bezier.distance; }},
+    {"culled by occlusion", [](const Column& c) -> Json { return c.times.bezier.occlusion; }},
+    {"collision spheres", [](const Column& c) -> Json { return c.spheres; }},
+    {"bytes a blade, shape", [](const Column& c) -> Json { return c.perBlade(c.times.shapeBytes); }},
+    {"bytes a blade, state", [](const Column& c) -> Json { return c.perBlade(c.times.stateBytes); }},
+    {"floor: MB a frame", [](const Column& c) -> Json { return c.floorMB(); }},
+};
+
+Result<Project> sampleProject(const std::string& name, BenchSize size) {
+  const Result<std::filesystem::path> folder = findDataFolder("projects");
+  if (!folder) return folder.error();
+  Result<Project> project = loadWithWarnings((*folder / name / (name + ".wind.json")).string());
+  if (!project || size == BenchSize::Full) return project;
+  FieldSettings field = *project->field;
+  field.resolution = {32, 32};
+  project->field = std::make_shared<FieldSettings>(field);
+  BezierSettings bezier = *project->bezier;
+  bezier.most = 4000;
+  project->bezier = std::make_shared<BezierSettings>(bezier);
+  return project;
+}
+
+Project withoutCollision(const Project& project) {
+  std::vector<Collider> colliders = *project.colliders;
+  for (Collider& collider : colliders) collider.muted = true;
+  Project muted = project;
+  muted.colliders = std::make_shared<std::vector<Collider>>(std::move(colliders));
+  return muted;
+}
+
+FloatImage halfLuma(const gpu::Framebuffer& target) {
+  const std::vector<unsigned char> rgba = target.readRgba8();
+  Image image(target.size().x, target.size().y, 3);
+  for (std::size_t i = 0; i * 4 < rgba.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
+  }
+  return lumaOf(boxFiltered(image, 2));
+}
+
+struct BezierBench {
+  const BenchSetup& setup;
+  glm::ivec2 size;
+  std::vector<BenchRow> rows;
+
+  Result<Column> measured(const Project& project, const ViewCamera& camera, const BezierCulling& culling) {
+    const Result<std::unique_ptr<Simulation>> wind = benchWind(setup, project);
+    if (!wind) return wind.error();
+    Result<FrameBench> frames = FrameBench::create(setup, size);
+    if (!frames) return frames.error();
+    Result<FrameTimes> times = frames->run(project, wind->get(), camera, {.samples = kPaperSamples}, culling);
+    if (!times) return times.error();
+    return Column{std::move(*times), colliderPrimitives(project, kMoment).size()};
+  }
+
+  Status addTimes(const std::string& scene, const Project& project) {
+    std::vector<Column> columns;
+    const ViewCamera camera = viewThrough(project.cameras->front());
+    for (const Mode& mode : kModes) {
+      Result<Column> column = measured(mode.collision ? project : withoutCollision(project), camera, mode.culling);
+      if (!column) return column.error();
+      columns.push_back(std::move(*column));
+    }
+    for (const Line& line : kLines) {
+      BenchRow row = {{"scene", scene}, {"what", line.what}};
+      for (std::size_t i = 0; i < columns.size(); ++i) row[kModes[i].name] = line.of(columns[i]);
+      row["runs"] = columns.front().times.frames;
+      rows.push_back(std::move(row));
+    }
+    BenchRow& first = rows[rows.size() - std::size(kLines)];
+    for (std::size_t i = 0; i < columns.size(); ++i) first["stages"][kModes[i].name] = columns[i].times.stages;
+    return Done{};
+  }
+
+  /// Pictures of one moment from all cameras, culled and whole.
+  Status addPictures(const std::string& scene, const Project& project) {
+    const Result<std::unique_ptr<Simulation>> wind = benchWind(setup, project);
+    if (!wind) return wind.error();
+    (*wind)->runTo(setup.size == BenchSize::Quick ? 0.1 : kMoment);
+    Result<std::unique_ptr<FrameRenderer>> renderer = FrameRenderer::create(*setup.context, *setup.shaders);
+    if (!renderer) return renderer.error();
+    const Result<gpu::Framebuffer> target = benchTarget(size);
+    if (!target) return target.error();
+    const WindTexture texture{(*wind)->solver().velocityTexture(), (*wind)->solver().grid()};
+    for (const Camera& camera : *project.cameras) {
+      FrameInput input = benchFrame(project, texture, viewThrough(camera), *target);
+      input.time = (*wind)->time();
+      if (Status added = addPicture(scene, camera.name, **renderer, input, *target); !added) return added;
+    }
+    return Done{};
+  }
+
+  Status addPicture(const std::string& scene, const std::string& camera, FrameRenderer& renderer, FrameInput input,
+                    const gpu::Framebuffer& target) {
+    const auto shoot = [&](const FrameQuality& quality, const BezierCulling& tests) -> FrameStats {
+      input.quality = quality;
+      input.bezierCulling = tests;
+      target.clearColour({1.0f, 0.0f, 1.0f, 0.0f});
+      FrameStats stats;
+      // Counts come with a later frame.
+      for (int i = 0; i < kSettlingFrames; ++i) {
+        stats = renderer.render(input);
+        glFinish();
+      }
+      return stats;
+    };
+    const FrameStats culled = shoot({.samples = kPaperSamples}, {});
+    if (target.readRgba8()[3] == 0) return makeError(ErrorKind::Machine, "the picture wasn't drawn (see the log)");
+    const FloatImage seen = halfLuma(target);
+    const FrameStats whole = shoot({.thinning = false, .culling = false, .samples = kPaperSamples}, kNoTests);
+    const double ssim = meanSsim(seen, halfLuma(target));
+    const long long visible = std::max(culled.bezier.inPatches, 1LL);
+    const auto add = [&](const std::string& what, const Json& all, const Json& none) {
+      rows.push_back({{"scene", scene},
+                      {"what", camera + ": " + what},
+                      {kModes[0].name, all},
+                      {kModes[2].name, none},
+                      {"runs", 1}});
+    };
+    add("SSIM to no culling", ssim, nullptr);
+    add("blades drawn", culled.bezier.drawn, whole.bezier.drawn);
+    add("drawn of visible patches %", 100.0 * static_cast<double>(culled.bezier.drawn) / static_cast<double>(visible),
+        nullptr);
+    return Done{};
+  }
+};
+
+}  // namespace
+
+Result<std::vector<BenchRow>> benchBezier(const BenchSetup& setup) {
+  if (setup.context == nullptr) return std::vector<BenchRow>{};
+  glm::ivec2 size = setup.picture.value_or(setup.size == BenchSize::Quick ? glm::ivec2(160, 120) : kPaperSize);
+  size -= size % 2;  // halved to compare
+  BezierBench bench{setup, size, {}};
+  for (const char* scene : kScenes) {
+    const Result<Project> project = sampleProject(scene, setup.size);
+    if (!project) return project.error();
+    if (Status added = bench.addTimes(scene, *project); !added) return added.error();
+    if (Status added = bench.addPictures(scene, *project); !added) return added.error();
+  }
+  return std::move(bench.rows);
+}
+
+}  // namespace windloom::cli

@@ -1,0 +1,37 @@
+"""Makes terrain/hills.png: smooth hills.
+
+usage: make_ground.py [FILE.png]
+"""
+import pathlib
+import sys
+
+import numpy
+
+sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "hills"))
+from make_hills import smooth_noise, write_png  # noqa: E402
+
+SIDE = 257     # pixels, one for each 0.5 m of 128 m
+EXTENT = 128.0  # m
+HEIGHT = 16.0  # m from black to white
+
+
+def heights():
+    line = numpy.linspace(-EXTENT / 2, EXTENT / 2, SIDE)
+    x, z = numpy.meshgrid(line, line)
+    hills = 3.2 + 4.6 * smooth_noise(x + 9, z, 34.0, 21) + 1.5 * smooth_noise(x, z, 17.0, 23) + 0.25 * smooth_noise(x, z, 7.0, 25)
+    # A hollow in the middle, higher land around.
+    away = numpy.hypot(x / 30.0, (z - 4.0) / 26.0)
+    return hills - 2.2 * numpy.exp(-away ** 2) + 5.0 * numpy.clip((away - 1.1) / 1.4, 0, 1) ** 2
+
+
+def main():
+    target = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "terrain" / "hills.png"
+    made = heights()
+    if made.min() < 0 or made.max() > HEIGHT:
+        raise SystemExit(f"heights from {made.min():.2f} to {made.max():.2f} m leave 0 to {HEIGHT} m")
+    write_png(target, numpy.round(made / HEIGHT * 65535))
+    print(f"{target}: {made.min():.2f} to {made.max():.2f} m")
+
+
+if __name__ == "__main__":
+    main()
