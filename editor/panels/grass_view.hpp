@@ -48,7 +48,7 @@ inline constexpr CullingEntry kCullingTests[] = {
     {&BezierCulling::occlusion,
      &BezierCounts::occlusion,
      "occlusion",
-     "Hidden",
+     "Behind things",
      "Leaves out blades behind other things.",
      {0.90f, 0.15f, 0.10f}},
 };
