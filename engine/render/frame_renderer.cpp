@@ -20,6 +20,7 @@
 #include "engine/render/overlay_pass.hpp"
 #include "engine/render/scene_targets.hpp"
 #include "engine/render/solids.hpp"
+#include "engine/render/surface_pass.hpp"
 #include "shaders/shared/render_bindings.h"
 
 namespace windloom {
@@ -42,6 +43,7 @@ struct Parts {
   GroundPass ground;
   SolidPass solids;
   ColliderPass colliders;
+  SurfacePass surfaces;
   Occluders occluders;
   OverlayPass overlays;
   Rotors rotors;
@@ -70,6 +72,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!solids) return solids.error();
   Result<ColliderPass> colliders = ColliderPass::create(shaders);
   if (!colliders) return colliders.error();
+  Result<SurfacePass> surfaces = SurfacePass::create(shaders);
+  if (!surfaces) return surfaces.error();
   Result<OverlayPass> overlays = OverlayPass::create(shaders);
   if (!overlays) return overlays.error();
   Result<Occluders> occluders = Occluders::create(shaders, kOccluderSize);
@@ -82,8 +86,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!frame) return frame.error();
   return Parts{std::move(*grass),    std::move(*bezier),    std::move(*bezierPhysics), std::move(*maps),
                std::move(*plants),   std::move(*dynamics),  std::move(*backdrop),      std::move(*ground),
-               std::move(*solids),   std::move(*colliders), std::move(*occluders),     std::move(*overlays),
-               std::move(*rotors),   std::move(*noise),     std::move(*frame)};
+               std::move(*solids),   std::move(*colliders), std::move(*surfaces),      std::move(*occluders),
+               std::move(*overlays), std::move(*rotors),    std::move(*noise),         std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -165,6 +169,9 @@ class FrameRendererImpl final : public FrameRenderer {
       if (!accept(m_parts.solids.configure(*project.obstacles, *project.field, heights.get()))) return false;
     }
     if (project.colliders != m_colliders && !accept(m_parts.colliders.configure(*project.colliders))) return false;
+    if (ground || project.surfaces != m_surfaces) {
+      if (!accept(m_parts.surfaces.configure(*project.surfaces, heights.get()))) return false;
+    }
     const Placement placement = input.quality.complete ? Placement::Wait : Placement::Later;
     if (isBezier(project) && !accept(m_parts.bezier.configure(project, placement))) return false;
     m_heights = heights;
@@ -173,6 +180,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_species = project.species;
     m_obstacles = project.obstacles;
     m_colliders = project.colliders;
+    m_surfaces = project.surfaces;
     return true;
   }
 
@@ -253,7 +261,7 @@ class FrameRendererImpl final : public FrameRenderer {
             .quick = quick(input)};
   }
 
-  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || !m_parts.ground.flat(); }
+  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || m_parts.surfaces.any() || !m_parts.ground.flat(); }
 
   void updateOccluders(const FrameInput& input) {
     if (!occluding()) {
@@ -262,6 +270,7 @@ class FrameRendererImpl final : public FrameRenderer {
     }
     m_parts.occluders.update([&](const gpu::PassState& state) {
       m_parts.solids.draw(state);
+      m_parts.surfaces.draw(state);
       if (!m_parts.ground.flat()) m_parts.ground.draw(state, m_block, input.camera, Backdrop::GroundDetail::Plain);
     });
   }
@@ -298,6 +307,7 @@ class FrameRendererImpl final : public FrameRenderer {
     m_targets.clearDepth();
     m_timer.stage("solids");
     m_parts.solids.draw(state);
+    m_parts.surfaces.draw(state);
     m_parts.colliders.draw(state, *input.project, input.time);
     if (isBezier(*input.project)) {
       drawBezier(state);
@@ -360,6 +370,7 @@ class FrameRendererImpl final : public FrameRenderer {
   Shared<std::vector<Species>> m_species;
   Shared<std::vector<Obstacle>> m_obstacles;
   Shared<std::vector<Collider>> m_colliders;
+  Shared<std::vector<Surface>> m_surfaces;
   std::string m_lastError;
 };
 
