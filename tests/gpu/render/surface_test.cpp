@@ -32,7 +32,7 @@ class Surfaces : public testing::GrassPassTest {
     target.clearColour({1.0f, 0.0f, 1.0f, 0.0f});
     target.clearDepth(1.0f);
     m_scene->bindFrame(0.0);
-    m_colliders->bindShades({}, 0.0, glm::vec3(0.0f), defaultLight().sunDirection);
+    m_colliders->bindShades({}, 0.0, glm::vec3(0.0f), defaultLight().sunDirection, {});
     m_pass->draw(
         {.framebuffer = target.name(), .viewport = {0, 0, kSize.x, kSize.y}, .depth = gpu::Depth::TestAndWrite});
     return {kSize, target.readRgba8()};
