@@ -24,8 +24,9 @@ constexpr std::size_t kMostMovers = std::size_t{BEZIER_RUN} * BEZIER_RUNS;
 constexpr double kLongStepS = 3.0 * double{kBezierStepS};
 constexpr double kLeastMemoryS = 1.0, kMostMemoryS = 10.0;
 
-/// What begins a compute command list: no groups yet.
-constexpr std::uint32_t kNoGroups[3] = {0, 1, 1};
+/// Two commands without groups yet: of patches that nothing touches, and of the others.
+constexpr std::uint32_t kNoGroups[8] = {0, 1, 1, 0, 0, 1, 1, 0};
+constexpr std::size_t kTouchedGroups = 4 * sizeof(std::uint32_t);
 
 struct Wave {
   double turn, length, speed, strength;  // rad from the ambient wind; parts of the settings'
@@ -111,6 +112,9 @@ Result<BezierPhysics> BezierPhysics::create(gpu::ShaderLibrary& shaders) {
   if (!step) return step.error();
   physics.m_wake = *wake;
   physics.m_step = *step;
+  Result<gpu::Program*> touched = shaders.load(grassProgram("grass/bezier step touched"));
+  if (!touched) return touched.error();
+  physics.m_stepTouched = *touched;
   Result<Buffer> block = Buffer::create("bezier physics", sizeof(BezierPhysicsBlock), gpu::BufferUse::Dynamic);
   if (!block) return block.error();
   Result<Buffer> commands = Buffer::create("bezier physics commands", sizeof kNoGroups, gpu::BufferUse::Dynamic);
@@ -191,11 +195,16 @@ void BezierPhysics::step(const BezierStore& store, const Step& step, std::span<c
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   store.blades->bindStorage(RENDER_SSBO_BEZIER_BLADES);
   store.states->bindStorage(RENDER_SSBO_BEZIER_STATES);
-  m_step->set("kept", store.kept);
-  m_step->set("moverCount", moverCount);
-  m_step->set("stepSeconds", step.seconds);
-  m_step->set("touchParts", bezierTouchParts(movers, step.seconds));
+  for (const gpu::Program* program : {m_step, m_stepTouched}) {
+    program->set("kept", store.kept);
+    program->set("stepSeconds", step.seconds);
+  }
   m_step->dispatchIndirect(m_commands, 0);
+  if (movers.empty()) return;
+  m_stepTouched->set("patchCount", store.patchCount);
+  m_stepTouched->set("moverCount", moverCount);
+  m_stepTouched->set("touchParts", bezierTouchParts(movers, step.seconds));
+  m_stepTouched->dispatchIndirect(m_commands, kTouchedGroups);
 }
 
 bool BezierPhysics::edited(const Project& project) {

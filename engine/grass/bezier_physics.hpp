@@ -80,7 +80,7 @@ class BezierPhysics {
   std::span<const BezierMover> upload(std::span<const BezierMover> movers);
   bool edited(const Project& project);
 
-  gpu::Program *m_wake = nullptr, *m_step = nullptr;
+  gpu::Program *m_wake = nullptr, *m_step = nullptr, *m_stepTouched = nullptr;
   gpu::Buffer m_block, m_clocks, m_list, m_commands, m_movers;
   TouchClock m_clock;
   Project m_project;  // of the last call

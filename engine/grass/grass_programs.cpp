@@ -26,6 +26,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/bezier depth", {"grass/bezier_depth.comp"}},
     {"grass/bezier wake", {"grass/bezier_wake.comp"}},
     {"grass/bezier step", {"grass/bezier_step.comp"}},
+    {"grass/bezier step touched", {"grass/bezier_step.comp"}, "TOUCHED"},
     {"grass/bezier near", {"grass/bezier.vert", "grass/bezier.frag"}, "LIST=0 ROWS=8 COLUMNS=3"},
     {"grass/bezier middle", {"grass/bezier.vert", "grass/bezier.frag"}, "LIST=1 ROWS=5 COLUMNS=2"},
     {"grass/bezier far", {"grass/bezier.vert", "grass/bezier.frag"}, "LIST=2 ROWS=3 COLUMNS=2"},

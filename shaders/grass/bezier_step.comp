@@ -12,36 +12,10 @@ layout(local_size_x = BEZIER_PATCH) in;
 // A BezierBlade in two reads.
 layout(std430, binding = RENDER_SSBO_BEZIER_BLADES) readonly buffer Blades { uvec4 halfBlades[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_STATES) buffer States { BezierState states[]; };
-layout(std430, binding = RENDER_SSBO_BEZIER_PATCHES) readonly buffer Patches { BezierPatch patches[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_LIST) readonly buffer List { BezierWork works[]; };
-layout(std430, binding = RENDER_SSBO_BEZIER_PRIMITIVES) readonly buffer Movers {
-  BezierRun runs[BEZIER_RUNS];
-  BezierMover movers[];
-};
 
 uniform uint kept;
-uniform uint moverCount;
 uniform float stepSeconds;
-uniform float touchParts;  // of a step where something moves through the patch
-
-// The movers that may touch the patch, a bit each, so that all blades meet them in one order.
-const uint kWords = BEZIER_RUN * BEZIER_RUNS / 32u;
-shared uint nearby[kWords];
-
-void listNearby(BezierPatch at) {
-  for (uint word = gl_LocalInvocationIndex; word < kWords; word += BEZIER_PATCH) nearby[word] = 0u;
-  barrier();
-  vec3 low = at.centre.xyz - at.reach.xyz;
-  vec3 high = at.centre.xyz + at.reach.xyz;
-  for (uint i = gl_LocalInvocationIndex; i < moverCount; i += BEZIER_PATCH) {
-    BezierMover mover = movers[i];
-    vec3 from = min(min(mover.a.xyz, mover.b.xyz), min(mover.laterA.xyz, mover.laterB.xyz)) - mover.a.w;
-    vec3 to = max(max(mover.a.xyz, mover.b.xyz), max(mover.laterA.xyz, mover.laterB.xyz)) + mover.a.w;
-    if (any(greaterThan(from, high)) || any(lessThan(to, low))) continue;
-    atomicOr(nearby[i / 32u], 1u << (i % 32u));
-  }
-  barrier();
-}
 
 struct Blade {
   vec3 root;
@@ -67,6 +41,36 @@ Blade bladeAt(uint index, bool fromRest) {
   return blade;
 }
 
+#ifdef TOUCHED  // a program of its own, so that other patches cost nothing of it
+layout(std430, binding = RENDER_SSBO_BEZIER_PATCHES) readonly buffer Patches { BezierPatch patches[]; };
+layout(std430, binding = RENDER_SSBO_BEZIER_PRIMITIVES) readonly buffer Movers {
+  BezierRun runs[BEZIER_RUNS];
+  BezierMover movers[];
+};
+
+uniform uint moverCount;
+uniform uint patchCount;
+uniform float touchParts;
+
+// The movers that may touch the patch, a bit each, so that all blades meet them in one order.
+const uint kWords = BEZIER_RUN * BEZIER_RUNS / 32u;
+shared uint nearby[kWords];
+
+void listNearby(BezierPatch at) {
+  for (uint word = gl_LocalInvocationIndex; word < kWords; word += BEZIER_PATCH) nearby[word] = 0u;
+  barrier();
+  vec3 low = at.centre.xyz - at.reach.xyz;
+  vec3 high = at.centre.xyz + at.reach.xyz;
+  for (uint i = gl_LocalInvocationIndex; i < moverCount; i += BEZIER_PATCH) {
+    BezierMover mover = movers[i];
+    vec3 from = min(min(mover.a.xyz, mover.b.xyz), min(mover.laterA.xyz, mover.laterB.xyz)) - mover.a.w;
+    vec3 to = max(max(mover.a.xyz, mover.b.xyz), max(mover.laterA.xyz, mover.laterB.xyz)) + mover.a.w;
+    if (any(greaterThan(from, high)) || any(lessThan(to, low))) continue;
+    atomicOr(nearby[i / 32u], 1u << (i % 32u));
+  }
+  barrier();
+}
+
 // Out of all that is near, one after the other, as it is at this part of the step.
 void touch(inout Blade blade, float part, float seconds) {
   float gained = 0.0;
@@ -83,17 +87,16 @@ void touch(inout Blade blade, float part, float seconds) {
   }
   blade.motion.strength = min(blade.motion.strength + gained, BEZIER_STRENGTH_MOST);
 }
-
-void wakeUp(inout Blade blade, float asleep) {
-  float part = bezierWakePart(asleep, blade.forces.wind);
-  blade.motion.strength = bezierFaded(blade.motion.strength, physics.motion.w, asleep - part * BEZIER_WAKE_PARTS);
-  for (float i = 0.0; i < BEZIER_WAKE_PARTS; ++i) blade.motion = bezierSwing(blade.forces, blade.motion, physics.motion.w, part);
-}
+#endif
 
 void main() {
   const float kToSettle = 1000.0;  // s
+#ifdef TOUCHED
+  BezierWork work = works[patchCount - 1u - gl_WorkGroupID.x];
+  listNearby(patches[work.patchIndex]);
+#else
   BezierWork work = works[gl_WorkGroupID.x];
-  if (work.touched != 0u) listNearby(patches[work.patchIndex]);
+#endif
   uint own = gl_LocalInvocationIndex;
   uint index = work.patchIndex * BEZIER_PATCH + own;
   if (own >= kept) return;
@@ -102,15 +105,21 @@ void main() {
   if (blade.height <= 0.0) return;
 
   float asleep = fromRest ? kToSettle : work.asleep;
-  if (asleep > 0.0) wakeUp(blade, asleep);
-  if (stepSeconds > 0.0) {
-    float parts = bezierParts(stepSeconds, blade.forces.wind);
-    if (work.touched != 0u) parts = max(parts, touchParts);
-    float seconds = stepSeconds / parts;
-    for (float i = 1.0; i <= parts; ++i) {
-      blade.motion = bezierSwing(blade.forces, blade.motion, physics.motion.w, seconds);
-      if (work.touched != 0u) touch(blade, i / parts, seconds);
-    }
+  float wakeSeconds = bezierWakePart(asleep, blade.forces.wind);
+  float wakeParts = asleep > 0.0 ? BEZIER_WAKE_PARTS : 0.0;
+  float fade = physics.motion.w;
+  blade.motion.strength = bezierFaded(blade.motion.strength, fade, asleep - wakeSeconds * wakeParts);
+  float parts = stepSeconds > 0.0 ? bezierParts(stepSeconds, blade.forces.wind) : 0.0;
+#ifdef TOUCHED
+  if (stepSeconds > 0.0) parts = max(parts, touchParts);
+#endif
+  float seconds = stepSeconds / max(parts, 1.0);
+  // One loop, since a software renderer does all that a branch may.
+  for (float i = -wakeParts; i < parts; ++i) {
+    blade.motion = bezierSwing(blade.forces, blade.motion, fade, i < 0.0 ? wakeSeconds : seconds);
+#ifdef TOUCHED
+    if (i >= 0.0) touch(blade, (i + 1.0) / parts, seconds);
+#endif
   }
   float reach = blade.height * bezierReach(blade.motion.direction, blade.forces.up);
   states[index].tip = vec4(blade.motion.direction * reach, blade.motion.strength);

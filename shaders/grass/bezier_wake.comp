@@ -10,7 +10,10 @@ layout(std430, binding = RENDER_SSBO_BEZIER_CLOCKS) buffer Clocks { BezierClock 
 layout(std430, binding = RENDER_SSBO_BEZIER_PATCHES) readonly buffer Patches { BezierPatch patches[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_SEEN) readonly buffer Seen { uint seen[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_LIST) writeonly buffer List { BezierWork works[]; };
-layout(std430, binding = RENDER_SSBO_BEZIER_COMMANDS) buffer Commands { uint groupsX; };
+layout(std430, binding = RENDER_SSBO_BEZIER_COMMANDS) buffer Commands {
+  uvec4 quiet;    // groups that nothing touches: from the list's begin
+  uvec4 touched;  // groups that something may touch: from its end
+};
 layout(std430, binding = RENDER_SSBO_BEZIER_PRIMITIVES) readonly buffer Movers {
   BezierRun runs[BEZIER_RUNS];
   BezierMover movers[];
@@ -27,7 +30,7 @@ bool apart(BezierPatch at, vec3 low, vec3 high) {
   return any(greaterThan(low, at.centre.xyz + at.reach.xyz)) || any(lessThan(high, at.centre.xyz - at.reach.xyz));
 }
 
-bool touched(BezierPatch at) {
+bool mayTouch(BezierPatch at) {
   for (uint run = 0u; run * BEZIER_RUN < moverCount; ++run) {
     if (apart(at, runs[run].low.xyz, runs[run].high.xyz)) continue;
     uint end = min((run + 1u) * BEZIER_RUN, moverCount);
@@ -46,10 +49,11 @@ void main() {
   if (index >= patchCount) return;
   BezierClock clock = clocks[index];
   if (jumped) clock = BezierClock(0.0, 0u);
-  bool hit = moverCount > 0u && touched(patches[index]);
+  bool hit = moverCount > 0u && mayTouch(patches[index]);
   bool due = clock.known < kept || clock.pending + stepSeconds > 0.0;
   if (due && (hit || (looksOn && seen[index] != 0u))) {
-    works[atomicAdd(groupsX, 1u)] = BezierWork(index, min(clock.known, kept), clock.pending, hit ? 1u : 0u);
+    uint place = hit ? patchCount - 1u - atomicAdd(touched.x, 1u) : atomicAdd(quiet.x, 1u);
+    works[place] = BezierWork(index, min(clock.known, kept), clock.pending, 0u);
     clock = BezierClock(0.0, kept);
   } else {
     clock.pending += stepSeconds;

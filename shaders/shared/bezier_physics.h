@@ -55,7 +55,7 @@ struct BezierWork {
   uint patchIndex;
   uint known;       // the first blades have a state; the others begin at rest
   float asleep;     // s that it slept through before this step
-  uint touched;     // 1: something may touch it
+  uint unused;
 };
 
 /// When a patch was stepped last.

@@ -1,4 +1,5 @@
-// What grass that remembers costs in a frame: a step of the virtual blades, and one of patches around moving balls.
+// What grass that remembers costs in a frame: a step of the virtual blades, one of patches around moving balls, and one
+// of Bezier blades.
 #include <benchmark/benchmark.h>
 #include <epoxy/gl.h>
 
@@ -7,6 +8,7 @@
 #include "engine/gpu/context.hpp"
 #include "engine/grass/grass_patches.hpp"
 #include "engine/grass/virtual_blades.hpp"
+#include "tests/gpu/grass/bezier_blades.hpp"
 #include "tests/gpu/grass/grass_scene.hpp"
 
 namespace windloom {
@@ -70,6 +72,50 @@ void PatchesStep(benchmark::State& state) {
   state.counters["blades"] = static_cast<double>(remembered);
 }
 BENCHMARK(PatchesStep)->Arg(1'000)->Arg(20'000)->Arg(100'000)->Unit(benchmark::kMillisecond)->UseRealTime();
+
+/// Blades all seen, in patches of half a metre, with so many balls among them.
+void BezierStep(benchmark::State& state) {
+  testing::GrassScene scene(*machine().shaders);
+  scene.grass.flutter = 0.35f;
+  scene.blow({5.0f, 2.0f});
+  const auto count = static_cast<std::size_t>(state.range(0));
+  const auto row = static_cast<std::size_t>(std::sqrt(static_cast<double>(count) / BEZIER_PATCH));
+  std::vector<testing::BladePlan> plans(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t patch = i / BEZIER_PATCH, own = i % BEZIER_PATCH;
+    plans[i].root.x = 0.5f * static_cast<float>(patch % row) + static_cast<float>(own % 16) / 32.0f;
+    plans[i].root.z = 0.5f * static_cast<float>(patch / row) + static_cast<float>(own / 16) / 32.0f;
+  }
+  const testing::BladeStore blades(plans);
+  BezierPhysics physics = testing::taken(BezierPhysics::create(*machine().shaders));
+  if (!physics.configure(blades.store())) return state.SkipWithError("no memory");
+  Project project;
+  std::vector<Collider> colliders(static_cast<std::size_t>(state.range(1)));
+  for (std::size_t i = 0; i < colliders.size(); ++i) {
+    const float way = 0.5f * static_cast<float>(row),
+                z = way * (static_cast<float>(i) + 0.5f) / static_cast<float>(colliders.size());
+    colliders[i].position = {0.0f, z};
+    colliders[i].radius = 0.3f;
+    colliders[i].keys = {{0.0f, {0, 0, 0}}, {10.0f, {way, 0, 0}}};
+  }
+  project.colliders = std::make_shared<std::vector<Collider>>(colliders);
+  double time = 0.0;
+  scene.bindFrame(time);
+  physics.advance(project, blades.store(), time, false);
+  glFinish();
+  for (auto _ : state) {
+    time += double{kDt};
+    physics.advance(project, blades.store(), time, false);
+    glFinish();
+  }
+}
+BENCHMARK(BezierStep)
+    ->Args({100'000, 0})
+    ->Args({100'000, 20})
+    ->Args({900'000, 0})
+    ->Args({900'000, 200})
+    ->Unit(benchmark::kMillisecond)
+    ->UseRealTime();
 
 }  // namespace
 }  // namespace windloom
