@@ -65,12 +65,15 @@ TEST(BezierGround, LowersTheDensityAndWidensTheBlades) {
     for (const BezierBlade& blade : blades) sum += static_cast<double>(sizesOf(blade).y);
     return sum / static_cast<double>(blades.size());
   };
-  const double all = meanWidth(inField(scene, scene.place()));
-  scene.bezier.most = 32000;
+  const BezierMeadow every = scene.place();
+  const double all = meanWidth(inField(scene, every));
+  scene.bezier.most = 64000;
   const BezierMeadow fewer = scene.place();
-  EXPECT_EQ(inField(scene, fewer).size(), 32000u);
-  EXPECT_NEAR(fewer.widening, 2.5f, 1e-4f);
-  EXPECT_NEAR(meanWidth(inField(scene, fewer)), 2.5 * all, 0.02 * all) << "the cover stays";
+  EXPECT_EQ(fewer.count, 64000) << "with the margin";
+  const double factor = static_cast<double>(every.count) / 64000.0;
+  EXPECT_NEAR(fewer.widening, factor, 1e-3 * factor);
+  EXPECT_NEAR(static_cast<double>(inField(scene, fewer).size()), 80000.0 / factor, 2.0);
+  EXPECT_NEAR(meanWidth(inField(scene, fewer)), factor * all, 0.02 * all) << "the cover stays";
   scene.bezier.most = 1000;
   EXPECT_FLOAT_EQ(scene.place().widening, 4.0f);
 }
