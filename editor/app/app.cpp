@@ -12,9 +12,11 @@
 #include "editor/app/frame_picture.hpp"
 #include "editor/app/keys.hpp"
 #include "editor/core/help_page.hpp"
+#include "editor/panels/grass_view.hpp"
 #include "editor/widgets/number_field.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/text.hpp"
 #include "engine/io/terrain_file.hpp"
 
 namespace windloom::editor {
@@ -255,6 +257,24 @@ void App::openDropped() {
   }
 }
 
+/// What must stay when the kind of grass changes, and how it is looked at.
+void App::tellGrass() {
+  UiMap& map = m_look.map;
+  const GrassKind kind = m_workspace.document.project().grass->kind;
+  map.fact("grass", kind == GrassKind::Bezier ? "bezier" : kind == GrassKind::None ? "none" : "instanced");
+  std::string tests;
+  for (const CullingEntry& entry : kCullingTests)
+    if (m_viewport.bezierCulling.*entry.on) tests.append(tests.empty() ? "" : " ").append(entry.name);
+  map.fact("culling", tests);
+  for (const GrassViewEntry& entry : kGrassViews)
+    if (m_viewport.grassView == entry.view) map.fact("grass view", entry.name);
+  const glm::vec3 eye = m_workspace.camera.position(), target = m_workspace.camera.target;
+  std::string camera;
+  for (const float part : {eye.x, eye.y, eye.z, target.x, target.y, target.z}) camera += shortest(part) + " ";
+  map.fact("camera", camera);
+  map.fact("wind", m_live->session() ? shortest(m_live->session()->status().wind.maxSpeed) : "");
+}
+
 void App::tellMap() {
   if (!m_look.map.on()) return;
   UiMap& map = m_look.map;
@@ -286,6 +306,7 @@ void App::tellMap() {
   map.fact("playing", m_live->session() && m_live->session()->playing() ? "yes" : "no");
   map.fact("help", m_helpOpen ? "yes" : "no");
   map.fact("palette", m_palette.isOpen() ? "yes" : "no");
+  tellGrass();
   map.fact("strokes", std::to_string(m_workspace.strokes.size()));
 }
 

@@ -68,6 +68,7 @@ class App {
   void tellStart(const char* what) const;
   void openDropped();
   void tellMap();
+  void tellGrass();
   [[nodiscard]] double waitSeconds() const;
   [[nodiscard]] PanelContext panelContext();
 

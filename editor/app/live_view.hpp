@@ -52,7 +52,7 @@ class LiveView {
   bool m_fullQuality = false, m_broken = false;
   LiveGrid m_liveGrid = LiveGrid::Automatic;
   std::uint64_t m_revision = 0;
-  double m_strokesTime = 0;    // of the wind when strokes were last given to it
+  double m_strokesTime = 0;   // of the wind when strokes were last given to it
   double m_frameSeconds = 0;  // smoothed
 };
 

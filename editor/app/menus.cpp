@@ -93,14 +93,19 @@ constexpr ToolButton kOverlays[] = {{"overlay.arrows", icons::kArrow, "Arrows"},
                                     {"overlay.vorticity", icons::kVorticity, "Vorticity"},
                                     {"overlay.lic", icons::kLic, "Streaks"}};
 
+std::string labelOf(const ToolButton& button, bool withText) {
+  std::string label = icons::icon(button.symbol, button.text);
+  if (withText && look().hasIcons) label += std::string("  ") + button.text;
+  return label;
+}
+
 void toolButton(ActionTable& actions, const ToolButton& button, bool withText) {
   const bool on = actions.checked(button.action);
   if (on) {
     ImGui::PushStyleColor(ImGuiCol_Button, look().palette.accentDim);
     ImGui::PushStyleColor(ImGuiCol_ButtonHovered, look().palette.accentDim);
   }
-  std::string label = icons::icon(button.symbol, button.text);
-  if (withText && look().hasIcons) label += std::string("  ") + button.text;
+  const std::string label = labelOf(button, withText);
   ImGui::BeginDisabled(!actions.enabled(button.action));
   const bool pressed = ImGui::Button(label.c_str(), {withText || !look().hasIcons ? 0 : scaled(32), 0});
   ImGui::EndDisabled();
@@ -169,7 +174,10 @@ void overlayMenu(ActionTable& actions) {
 void drawOverlayButtons(ActionTable& actions) {
   const float room = ImGui::GetContentRegionAvail().x;
   if (room < scaled(35) * float(std::size(kOverlays))) return overlayMenu(actions);
-  for (const ToolButton& button : kOverlays) toolButton(actions, button, room > scaled(700));
+  float named = 0;
+  for (const ToolButton& button : kOverlays)
+    named += ImGui::CalcTextSize(labelOf(button, true).c_str()).x + 2 * ImGui::GetStyle().FramePadding.x + scaled(3);
+  for (const ToolButton& button : kOverlays) toolButton(actions, button, room > named);
 }
 
 }  // namespace

@@ -32,7 +32,7 @@ bool isRelevant(const Species& species, std::string_view key) {
 
 bool isRelevant(const Collider& collider, std::string_view key) {
   const bool mesh = collider.shape == ColliderShape::Mesh;
-  if (key == "file" || key == "scale") return mesh;
+  if (key == "file" || key == "scale" || key == "spheres") return mesh;
   if (key == "radius") return !mesh;
   if (key == "length") return collider.shape == ColliderShape::Capsule;
   if (key == "rotation") return collider.shape != ColliderShape::Sphere;

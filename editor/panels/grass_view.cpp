@@ -38,7 +38,15 @@ void drawViews(ActionTable& actions) {
   ImGui::EndCombo();
 }
 
+/// What the colour in the view of what is left out means, at the end of a cell.
+void swatch(const char* name, glm::vec3 colour) {
+  ImGui::SameLine(0, scaled(8));
+  ImGui::ColorButton(name, {colour.r, colour.g, colour.b, 1.0f},
+                     ImGuiColorEditFlags_NoTooltip | ImGuiColorEditFlags_NoDragDrop, {scaled(14), scaled(14)});
+}
+
 void drawTests(ActionTable& actions, const BezierCounts& counts) {
+  const bool coloured = actions.checked("grass_view.culled");
   if (!ImGui::BeginTable("culling", 2, ImGuiTableFlags_SizingStretchProp)) return;
   const auto number = [](long long value) {
     ImGui::TableNextColumn();
@@ -53,17 +61,20 @@ void drawTests(ActionTable& actions, const BezierCounts& counts) {
     if (ImGui::Checkbox(entry.label, &on)) actions.run(action);
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", entry.help);
     markItem(action);
+    if (coloured) swatch(entry.name, entry.colour);
     number(counts.*entry.count);
     look().map.fact(action, std::to_string(counts.*entry.count));
   }
-  const auto sum = [&](const char* label, long long value) {
+  const auto sum = [&](const char* label, long long value, bool drawn = false) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(label);
+    if (coloured && drawn) swatch(label, kDrawnColour);
     number(value);
+    look().map.fact(std::string("grass count.") + label, std::to_string(value));
   };
-  sum("Drawn", counts.drawn);
+  sum("Drawn", counts.drawn, true);
   sum("In the patches seen", counts.inPatches);
   sum("Patches seen", counts.patchesSeen);
   ImGui::EndTable();

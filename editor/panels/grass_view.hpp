@@ -23,16 +23,34 @@ struct CullingEntry {
   bool BezierCulling::*on;
   long long BezierCounts::*count;
   const char *name, *label, *help;
+  glm::vec3 colour;  ///< of blades that it leaves out, in the view of them (bezier_cull.comp)
 };
+inline constexpr glm::vec3 kDrawnColour{0.25f, 0.65f, 0.25f};  ///< there, of the others
 inline constexpr CullingEntry kCullingTests[] = {
-    {&BezierCulling::orientation, &BezierCounts::orientation, "orientation", "Edge-on",
-     "Leaves out blades that are seen from the side."},
-    {&BezierCulling::frustum, &BezierCounts::frustum, "frustum", "Out of view",
-     "Leaves out blades outside the picture."},
-    {&BezierCulling::distance, &BezierCounts::distance, "distance", "Far away",
-     "Leaves out more and more blades with the distance."},
-    {&BezierCulling::occlusion, &BezierCounts::occlusion, "occlusion", "Hidden",
-     "Leaves out blades behind other things."},
+    {&BezierCulling::orientation,
+     &BezierCounts::orientation,
+     "orientation",
+     "Edge-on",
+     "Leaves out blades that are seen from the side.",
+     {0.95f, 0.75f, 0.10f}},
+    {&BezierCulling::frustum,
+     &BezierCounts::frustum,
+     "frustum",
+     "Out of view",
+     "Leaves out blades outside the picture.",
+     {0.85f, 0.20f, 0.75f}},
+    {&BezierCulling::distance,
+     &BezierCounts::distance,
+     "distance",
+     "Far away",
+     "Leaves out more and more blades with the distance.",
+     {0.20f, 0.45f, 0.95f}},
+    {&BezierCulling::occlusion,
+     &BezierCounts::occlusion,
+     "occlusion",
+     "Behind things",
+     "Leaves out blades behind other things.",
+     {0.90f, 0.15f, 0.10f}},
 };
 
 /// The choice of a view, a check box for each test with its count, and the sums. Runs the actions named above.

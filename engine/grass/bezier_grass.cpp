@@ -32,8 +32,10 @@ constexpr float kMostWidening = 4.0f;
 constexpr glm::vec3 kLevelPixels{110.0f, 28.0f, 9.0f};
 // And from which a patch is drawn first and hides others.
 constexpr float kFirstPixels = 30.0f;
+// Of the other patches this part of the blades, the highest ones, is drawn first.
+constexpr float kFirstPart = 0.35f;
 // Blades under so many pixels' width are thinned.
-constexpr float kThinPixels = 0.55f;
+constexpr float kThinPixels = 0.9f;
 
 struct StripShape {
   const char* program;
@@ -110,7 +112,7 @@ BezierBlock makeBlock(const Project& project, const BezierFrame& frame, std::uin
                      : frame.view == GrassView::Culled   ? BEZIER_VIEW_CULLED
                      : frame.view == GrassView::Strength ? BEZIER_VIEW_STRENGTH
                                                          : BEZIER_VIEW_NORMAL;
-  block.view = {view, static_cast<float>(room), 0.0f, 0.0f};
+  block.view = {view, static_cast<float>(room), static_cast<float>(kept) * kFirstPart, 0.0f};
   return block;
 }
 

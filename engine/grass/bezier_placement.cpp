@@ -44,11 +44,11 @@ Growing growGround(const Project& project, ThreadPool& pool, float& kept) {
   const double level = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
   const double density = grass.density;
   auto area = std::make_unique<GroundArea>(project, std::min(density * level, static_cast<double>(bezier.most)), pool);
-  const double all = density * area->area(0);
+  const double all = density * (area->area(0) + area->area(1));
   const double most = std::max(bezier.most, 0);
   kept = all > most ? static_cast<float>(most / all) : 1.0f;
-  ground.wanted[0] = std::min(all, most);
-  ground.wanted[1] = density * area->area(1) * (all > most ? most / all : 1.0);
+  ground.wanted[1] = std::round(density * area->area(1) * (all > most ? most / all : 1.0));
+  ground.wanted[0] = all > most ? most - ground.wanted[1] : density * area->area(0);
   ground.area = std::move(area);
   ground.traits = groundTraits(grass, bezier);
   ground.tufts = share(bezier.tufts);

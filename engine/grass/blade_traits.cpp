@@ -40,9 +40,10 @@ std::uint32_t clumpOf(const BladeTraits& traits, glm::vec3 root) {
     for (int z = -1; z <= 1; ++z) {
       for (int x = -1; x <= 1; ++x) {
         const glm::ivec3 near = cell + glm::ivec3(x, y, z);
-        std::uint32_t hash = pcgHash(static_cast<std::uint32_t>(near.x) + traits.seed);
-        hash = pcgHash(hash ^ static_cast<std::uint32_t>(near.z) * 0x9e3779b9u);
-        if (!traits.level) hash = pcgHash(hash + static_cast<std::uint32_t>(near.y));
+        const auto bits = [](int c) { return static_cast<std::uint32_t>(c); };
+        const std::uint32_t height = traits.level ? 0u : bits(near.y) * 0xcb1ab31fu;
+        const std::uint32_t hash =
+            pcgHash((bits(near.x) * 0x8da6b343u + bits(near.z) * 0xd8163841u) ^ (height + traits.seed * 0x9e3779b9u));
         const glm::vec3 jitter = glm::vec3(hash & 0x7ffu, hash >> 11 & 0x3ffu, hash >> 21) * (1.0f / 2048.0f);
         glm::vec3 away = glm::vec3(near) + jitter - at;
         if (traits.level) away.y = 0.0f;
@@ -147,8 +148,9 @@ BezierBlade makeBlade(const BladeTraits& traits, const GrowthPoint& point, std::
   if (tuft != nullptr) {
     turn = turnTowards(point.up, tuft->outwards) + 0.3f * (turn - 0.5f);
   } else {
-    const float yaw = kTurn * turn, lean = kTurn * common.lean, with = 0.8f * traits.clumping;
-    turn = std::atan2(std::sin(yaw) + with * std::sin(lean), std::cos(yaw) + with * std::cos(lean)) / kTurn;
+    // Some of the way to where the clump leans.
+    const float aside = kTurn * (turn - common.lean);
+    turn = common.lean + std::atan2(std::sin(aside), std::cos(aside) + 0.8f * traits.clumping) / kTurn;
   }
   turn -= std::floor(turn);
   BezierBlade blade{};

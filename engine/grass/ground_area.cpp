@@ -46,19 +46,37 @@ float aroundGrey(float value) {
   return byte < 128.0f ? byte / 128.0f : 1.0f + (byte - 128.0f) / 127.0f;
 }
 
-/// m^2 of ground over a level m^2: of the bilinear patch that the place lies in.
-float stretchAt(const HeightField& field, glm::vec2 place) {
-  const glm::vec2 last(field.source->samples - 1), step = field.spacing();
-  const glm::vec2 at = (place - field.low) / step;
-  const bool beyondX = at.x < 0.0f || at.x > last.x, beyondZ = at.y < 0.0f || at.y > last.y;
-  const glm::vec2 kept = glm::clamp(at, glm::vec2(0.0f), last);
-  const glm::ivec2 low = glm::min(glm::ivec2(kept), field.source->samples - 2);
+struct GroundSample {
+  float height = 0.0f;   // m
+  float stretch = 1.0f;  // m^2 of ground over a level m^2
+  glm::vec3 normal{0.0f, 1.0f, 0.0f};
+};
+
+/// What heightAt and normalAt give, and the stretch of the bilinear patch here, from twelve heights read once.
+GroundSample sampleGround(const HeightField& field, glm::vec2 place) {
+  const glm::ivec2 last = field.source->samples - 1;
+  const glm::vec2 step = field.spacing();
+  const glm::vec2 at = (place - field.low) / step, kept = glm::clamp(at, glm::vec2(0.0f), glm::vec2(last));
+  const glm::ivec2 low = glm::min(glm::ivec2(kept), last - 1);
   const glm::vec2 f = kept - glm::vec2(low);
-  const float h00 = field.at(low.x, low.y), h10 = field.at(low.x + 1, low.y), h01 = field.at(low.x, low.y + 1),
-              h11 = field.at(low.x + 1, low.y + 1);
-  const float x = beyondX ? 0.0f : glm::mix(h10 - h00, h11 - h01, f.y) / step.x;
-  const float z = beyondZ ? 0.0f : glm::mix(h01 - h00, h11 - h10, f.x) / step.y;
-  return std::sqrt(1.0f + x * x + z * z);
+  const glm::ivec2 before = glm::max(low - 1, 0), after = glm::min(low + 2, last);
+  const auto along = [&](int k) { return glm::mix(field.at(low.x, k), field.at(low.x + 1, k), f.x); };
+  const auto across = [&](int i) { return glm::mix(field.at(i, low.y), field.at(i, low.y + 1), f.y); };
+  const float left = across(low.x), right = across(low.x + 1), near = along(low.y), far = along(low.y + 1);
+  GroundSample sample;
+  sample.height = glm::mix(near, far, f.y);
+  if (at != kept) {
+    // Beyond its rectangle the ground goes on as its edge is.
+    sample.normal = normalAt(field, place);
+    sample.stretch = 1.0f / sample.normal.y;
+    return sample;
+  }
+  const glm::vec2 slope = glm::vec2(right - left, far - near) / step;
+  sample.stretch = std::sqrt(1.0f + glm::dot(slope, slope));
+  const glm::vec2 fall(glm::mix(across(before.x), left, f.x) - glm::mix(right, across(after.x), f.x),
+                       glm::mix(along(before.y), near, f.y) - glm::mix(far, along(after.y), f.y));
+  sample.normal = glm::normalize(glm::vec3(fall.x / (2.0f * step.x), 1.0f, fall.y / (2.0f * step.y)));
+  return sample;
 }
 
 float cosineOf(float degrees) {
@@ -76,7 +94,7 @@ GroundArea::GroundArea(const Project& project, double blades, ThreadPool& pool)
       m_steep(cosineOf(m_grass->slopeLimit)),
       m_gentle(cosineOf(m_grass->slopeLimit - 15.0f)),
       m_seed(static_cast<std::uint32_t>(m_grass->seed)) {
-  cut(std::clamp(blades / 16.0, kLeastCells, kMostCells));
+  cut(std::clamp(blades / 32.0, kLeastCells, kMostCells));
   for (int p = 0; p < 2; ++p) {
     Part& part = m_parts[p];
     part.sums.resize(part.cells.size());
@@ -149,9 +167,10 @@ float GroundArea::margin(glm::vec2 place) const {
 GroundArea::Growth GroundArea::growthAt(glm::vec2 place, int part) const {
   Growth growth;
   if (part == 1) {
-    const float in = margin(place);
-    growth.grown = std::max(1.0f - in * in, 0.0f);
-    if (growth.grown <= 0.0f) return {0.0f, 0.0f, growth.normal};
+    // Thinner than the instanced grass's: each blade costs memory and time here.
+    const float left = std::max(1.0f - margin(place), 0.0f);
+    growth.grown = left * left;
+    if (growth.grown <= 0.0f) return {.grown = 0.0f, .weight = 0.0f};
   }
   if (holds(m_grass->densityPixels)) {
     const float beyond = glm::length(glm::max(glm::max(m_low - place, place - m_high), glm::vec2(0.0f)));
@@ -160,16 +179,18 @@ GroundArea::Growth GroundArea::growthAt(glm::vec2 place, int part) const {
   }
   growth.weight = growth.grown;
   if (m_heights) {
-    growth.normal = normalAt(*m_heights, place);
+    const GroundSample ground = sampleGround(*m_heights, place);
+    growth.height = ground.height;
+    growth.normal = ground.normal;
     growth.grown *= smooth(m_steep, m_gentle, growth.normal.y);
-    growth.weight = growth.grown * stretchAt(*m_heights, place);
+    growth.weight = growth.grown * ground.stretch;
   }
   return growth;
 }
 
 GrowthPoint GroundArea::pointAt(glm::vec2 place, const Growth& growth, int part) const {
   GrowthPoint point;
-  point.place = {place.x, m_heights ? heightAt(*m_heights, place) : 0.0f, place.y};
+  point.place = {place.x, growth.height, place.y};
   point.up = glm::normalize(glm::mix(glm::vec3(0.0f, 1.0f, 0.0f), growth.normal, m_grass->slopeAlign));
   point.grown = growth.grown;
   if (part == 1) point.lushness = glm::mix(1.0f, 0.3f, smooth(0.0f, 0.8f, margin(place)));

@@ -35,6 +35,7 @@ class GroundArea final : public GrowthArea {
   struct Growth {
     float grown = 1.0f;   // part of the blades, 0..1
     float weight = 1.0f;  // times m^2 of ground over a level m^2
+    float height = 0.0f;  // m
     glm::vec3 normal{0.0f, 1.0f, 0.0f};
   };
 

@@ -1,6 +1,7 @@
 #include "engine/grass/patch_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -88,6 +89,26 @@ std::uint32_t reversedByte(std::uint32_t i) {
   return (i & 0xaau) >> 1 | (i & 0x55u) << 1;
 }
 
+// How far the height of a blade decides its place in its patch: high ones are what is seen of a thinned meadow, and hide
+// the others.
+constexpr float kHighFirst = 0.55f;
+
+void highFirst(BezierBlade* blades, std::size_t count) {
+  std::array<std::pair<float, std::uint32_t>, BEZIER_PATCH> order;
+  const auto sort = [&] { std::stable_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)); };
+  for (std::size_t i = 0; i < count; ++i) order[i] = {-sizesOf(blades[i]).x, static_cast<std::uint32_t>(i)};
+  sort();
+  std::array<std::uint32_t, BEZIER_PATCH> heightRank{};
+  for (std::size_t i = 0; i < count; ++i) heightRank[order[i].second] = static_cast<std::uint32_t>(i);
+  for (std::size_t i = 0; i < count; ++i) {
+    order[i] = {glm::mix(static_cast<float>(i), static_cast<float>(heightRank[i]), kHighFirst), static_cast<std::uint32_t>(i)};
+  }
+  sort();
+  std::array<BezierBlade, BEZIER_PATCH> sorted;
+  for (std::size_t i = 0; i < count; ++i) sorted[i] = blades[order[i].second];
+  std::copy_n(sorted.begin(), count, blades);
+}
+
 }  // namespace
 
 BezierPatch patchAround(const BezierBlade* blades, std::size_t count, int surface) {
@@ -129,6 +150,7 @@ void appendPatches(const std::vector<BezierBlade>& blades, int surface, ThreadPo
       const std::size_t at = reversedByte(i) ^ scramble;
       if (at < has) out[filled++] = blades[keys[from + at] & mask];
     }
+    highFirst(out, has);
     patches[firstPatch + patch] = patchAround(out, has, surface);
   };
   pool.parallelFor(static_cast<int>((count + kPatchesPerChunk - 1) / kPatchesPerChunk), [&](int chunk) {

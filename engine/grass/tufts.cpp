@@ -10,7 +10,7 @@ namespace {
 
 constexpr double kLeastBlades = 4.0;  // in a tuft, in the mean
 constexpr double kPacked = 0.7;       // samples for each least * least m^2 where there is no room for more
-constexpr double kCandidates = 4.0;   // for each least * least m^2
+constexpr double kCandidates = 5.0;   // for each least * least m^2
 constexpr double kMostCandidates = 4'000'000;
 constexpr int kChunk = 2048;
 

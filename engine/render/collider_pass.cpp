@@ -40,6 +40,12 @@ std::vector<glm::vec4> spheresOf(const Collider& collider, const HeightField* gr
   return spheres;
 }
 
+void keepNearest(std::vector<glm::vec4>& spheres, std::size_t count, glm::vec3 eye) {
+  if (spheres.size() <= count) return;
+  std::ranges::stable_sort(spheres, {}, [eye](glm::vec4 s) { return glm::distance(glm::vec3(s), eye) - s.w; });
+  spheres.resize(count);
+}
+
 /// Where a sphere takes light: around it and down its shadow.
 void addReach(glm::vec4 sphere, float groundM, glm::vec3 sunDirection, ColliderShadeBlock& block) {
   const glm::vec3 centre(sphere);
@@ -47,12 +53,13 @@ void addReach(glm::vec4 sphere, float groundM, glm::vec3 sunDirection, ColliderS
   const glm::vec3 shadow = centre - sunDirection * std::min(drop / std::max(sunDirection.y, 0.05f), kLongestShadowM);
   const float reach = kCoverReach * sphere.w;
   block.low = glm::vec4(glm::min(glm::vec3(block.low), glm::min(centre, shadow) - reach), block.low.w);
-  block.high = glm::vec4(glm::max(glm::vec3(block.high), glm::max(centre, shadow) + reach), 0.0f);
+  block.high = glm::vec4(glm::max(glm::vec3(block.high), glm::max(centre, shadow) + reach), block.high.w);
 }
 
 }  // namespace
 
-ColliderShadeBlock makeColliderShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection) {
+ColliderShadeBlock makeColliderShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection,
+                                      std::span<const glm::vec4> surfaces) {
   const HeightField* ground = project.terrain->heights.get();
   std::vector<glm::vec4> spheres;
   for (const Collider& collider : *project.colliders) {
@@ -60,13 +67,14 @@ ColliderShadeBlock makeColliderShades(const Project& project, double seconds, gl
     const std::vector<glm::vec4> own = spheresOf(collider, ground, seconds);
     spheres.insert(spheres.end(), own.begin(), own.end());
   }
-  if (spheres.size() > COLLIDER_SHADE_SPHERES) {
-    std::ranges::stable_sort(spheres, {}, [eye](glm::vec4 s) { return glm::distance(glm::vec3(s), eye) - s.w; });
-    spheres.resize(COLLIDER_SHADE_SPHERES);
-  }
+  keepNearest(spheres, COLLIDER_SHADE_SPHERES, eye);
+  const std::size_t moving = spheres.size();
+  std::vector<glm::vec4> still(surfaces.begin(), surfaces.end());
+  keepNearest(still, COLLIDER_SHADE_SPHERES - moving, eye);
+  spheres.insert(spheres.end(), still.begin(), still.end());
   ColliderShadeBlock block{};
   block.low = glm::vec4(glm::vec3(1e9f), static_cast<float>(spheres.size()));
-  block.high = glm::vec4(glm::vec3(-1e9f), 0.0f);
+  block.high = glm::vec4(glm::vec3(-1e9f), static_cast<float>(moving));
   for (std::size_t i = 0; i < spheres.size(); ++i) {
     block.spheres[i] = spheres[i];
     const glm::vec2 place(spheres[i].x, spheres[i].z);
@@ -103,8 +111,9 @@ Status ColliderPass::configure(const std::vector<Collider>& colliders) {
   return m_objects.configure(meshes);
 }
 
-void ColliderPass::bindShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection) {
-  const ColliderShadeBlock block = makeColliderShades(project, seconds, eye, sunDirection);
+void ColliderPass::bindShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection,
+                              std::span<const glm::vec4> surfaces) {
+  const ColliderShadeBlock block = makeColliderShades(project, seconds, eye, sunDirection, surfaces);
   m_shades.write(&block, sizeof block);
   m_shades.bindUniform(RENDER_UBO_COLLIDERS);
 }

@@ -2,6 +2,7 @@
 // Colliders: drawn as a ball, a shoe or their mesh, and the light that they take from what is around them
 // (shaders/include/colliders.glsl).
 
+#include <span>
 #include <vector>
 
 #include "engine/gpu/buffer.hpp"
@@ -18,8 +19,10 @@ namespace windloom {
 using shared::ColliderShadeBlock;
 
 /// The spheres that stand for the colliders that are shown at a time: the nearest to `eye` where there are too many,
-/// and the largest of a mesh. `sunDirection` is a unit vector towards the sun.
-ColliderShadeBlock makeColliderShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection);
+/// and the largest of a mesh. After them, where there is room, those of `surfaces` (SurfacePass::shades).
+/// `sunDirection` is a unit vector towards the sun.
+ColliderShadeBlock makeColliderShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection,
+                                      std::span<const glm::vec4> surfaces = {});
 
 class ColliderPass {
  public:
@@ -30,7 +33,8 @@ class ColliderPass {
   Status configure(const std::vector<Collider>& colliders);
 
   /// Binds the light they take at a time, for every shader that asks for it.
-  void bindShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection);
+  void bindShades(const Project& project, double seconds, glm::vec3 eye, glm::vec3 sunDirection,
+                  std::span<const glm::vec4> surfaces);
   /// Draws those that aren't hidden, `project` having been configured.
   void draw(const gpu::PassState& state, const Project& project, double seconds) const;
 

@@ -234,7 +234,8 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.ground.bind();
     m_parts.solids.updateMap();
     m_parts.solids.bindMap();
-    m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection);
+    m_parts.colliders.bindShades(*input.project, input.time, input.camera.position, defaultLight().sunDirection,
+                                 m_parts.surfaces.shades());
     m_parts.rotors.bind(*project.rotors, input.time);
     m_parts.backdrop.bakeSky();
     // The wind may come from compute shaders of the solver: they write it as an image or storage buffer.
@@ -261,7 +262,9 @@ class FrameRendererImpl final : public FrameRenderer {
             .quick = quick(input)};
   }
 
-  [[nodiscard]] bool occluding() const { return m_parts.solids.any() || m_parts.surfaces.any() || !m_parts.ground.flat(); }
+  [[nodiscard]] bool occluding() const {
+    return m_parts.solids.any() || m_parts.surfaces.any() || !m_parts.ground.flat();
+  }
 
   void updateOccluders(const FrameInput& input) {
     if (!occluding()) {
@@ -362,7 +365,7 @@ class FrameRendererImpl final : public FrameRenderer {
   WindSampler m_windSampler;
   SceneTargets m_targets;
   gpu::GpuTimer m_timer;
-  FrameBlock m_block{};  // of the last frame
+  FrameBlock m_block{};   // of the last frame
   int m_bladesMoved = 0;  // generation of the Bezier blades that the physics knows
   Shared<FieldSettings> m_field;
   Shared<HeightField> m_heights;

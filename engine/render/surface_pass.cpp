@@ -4,8 +4,14 @@
 #include "engine/model/surface_pose.hpp"
 #include "engine/model/surface_shapes.hpp"
 #include "engine/render/render_programs.hpp"
+#include "engine/render/surface_shade.hpp"
 
 namespace windloom {
+namespace {
+
+constexpr std::size_t kShades = 28;  // spheres of a surface
+
+}  // namespace
 
 Result<SurfacePass> SurfacePass::create(gpu::ShaderLibrary& shaders) {
   SurfacePass pass;
@@ -15,16 +21,21 @@ Result<SurfacePass> SurfacePass::create(gpu::ShaderLibrary& shaders) {
 
 Status SurfacePass::configure(const std::vector<Surface>& surfaces, const HeightField* ground) {
   std::vector<Shown> shown;
+  std::vector<glm::vec4> shades;
   std::vector<std::shared_ptr<const PlantMesh>> meshes;
   for (const Surface& surface : surfaces) {
     if (surface.hidden) continue;
     std::shared_ptr<const PlantMesh> mesh = surfaceMesh(surface);
     if (!mesh || mesh->indices.empty()) continue;
+    const glm::mat4 world = surfacePose(surface, ground);
+    const std::vector<glm::vec4> own = surfaceShades(*mesh, world, kShades);
+    shades.insert(shades.end(), own.begin(), own.end());
     meshes.push_back(mesh);
-    shown.push_back({std::move(mesh), surfacePose(surface, ground), surface.colour});
+    shown.push_back({std::move(mesh), world, surface.colour});
   }
   if (Status configured = m_meshes.configure(meshes); !configured) return configured;
   m_shown = std::move(shown);
+  m_shades = std::move(shades);
   return Done{};
 }
 

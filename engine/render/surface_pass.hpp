@@ -21,6 +21,8 @@ class SurfacePass {
 
   /// Both sides of all of them. The frame block, noise, ground, map of solids and the colliders' shades must be bound.
   void draw(const gpu::PassState& state) const;
+  /// Spheres that stand for them where they take light from what is around (makeColliderShades), m.
+  [[nodiscard]] const std::vector<glm::vec4>& shades() const { return m_shades; }
   [[nodiscard]] bool any() const { return !m_shown.empty(); }
 
  private:
@@ -34,6 +36,7 @@ class SurfacePass {
   gpu::Program* m_program = nullptr;
   ObjectMeshes m_meshes;
   std::vector<Shown> m_shown;
+  std::vector<glm::vec4> m_shades;
 };
 
 }  // namespace windloom

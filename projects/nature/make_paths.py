@@ -12,7 +12,7 @@ from collider_keys import put  # noqa: E402
 KEYS = 40
 FINE = 100  # pieces between two keys, to measure the way
 # Half the way along x and z, m; turns of the side sway; m/s.
-BALLS = {"large ball": (7.5, 3.4, 1, 2.6), "small ball": (4.6, 5.2, 2, 2.1)}
+BALLS = {"large ball": (6.5, 2.6, 1, 2.6), "small ball": (4.4, 3.6, 2, 2.1)}
 
 
 def place(ball, turn):

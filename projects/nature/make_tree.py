@@ -27,15 +27,21 @@ def furrows(seed, depth):
     return bump
 
 
-def limb(start, way, length, radius, bend, seed, sectors=22, tip=0.25):
-    """Tapering, bending towards `bend`; bark below, moss on top, bare wood at the broken end."""
+def trunk_at(along):
+    """The middle of the trunk, which lies on the ground, at a z."""
+    t = along / LENGTH + 0.5
+    return 0.35 * math.sin(2.6 * t) - 0.12 * math.sin(6.0 * t), 0.5 * (1 - 0.38 * t), along
+
+
+def limb(start, way, length, radius, bend, seed, sectors=22, tip=0.25, course=None):
+    """Tapering, bending towards `bend` or along `course`; bark below, moss on top, bare wood at the broken end."""
     rings = max(10, int(length * 9))
     centres, radii = [], []
     at, way = numpy.array(start, float), numpy.array(way, float) / numpy.linalg.norm(way)
     random = numpy.random.RandomState(seed)
     for i in range(rings):
         t = i / (rings - 1)
-        centres.append(at.copy())
+        centres.append(at.copy() if course is None else numpy.array(course(start[2] + t * length), float))
         radii.append(radius * (1 - (1 - tip) * t ** 0.9))
         way = way + numpy.array(bend) / rings + random.normal(0, 0.025, 3)
         way /= numpy.linalg.norm(way)
@@ -64,7 +70,7 @@ def roots():
     for k in range(9):
         angle = 2 * math.pi * k / 9 + 0.35 * math.sin(5 * k)
         way = (math.cos(angle), math.sin(angle), -0.75)
-        start = (0.30 * math.cos(angle), 0.55 + 0.30 * math.sin(angle), -LENGTH / 2 + 0.30)
+        start = (0.30 * math.cos(angle), 0.50 + 0.30 * math.sin(angle), -LENGTH / 2 + 0.30)
         length = 0.75 + 0.35 * math.sin(3 * k + 1)
         parts.append(limb(start, way, length, 0.19, (0, -0.3, -0.3), 40 + k, 12, 0.22))
     return parts
@@ -76,7 +82,8 @@ def branches():
             (0.6, 70, 2.2, 0.16), (1.5, 128, 2.6, 0.17), (2.3, 25, 2.1, 0.15), (2.9, 95, 2.4, 0.14), (3.4, 160, 1.9, 0.13),
             (3.7, 55, 1.7, 0.11)]):
         a = math.radians(angle)
-        start = (0.12 * math.cos(a), 0.50 + 0.10 * math.sin(a), along)
+        x, y, _ = trunk_at(along)
+        start = (x + 0.1 * math.cos(a), y + 0.1 * math.sin(a), along)
         way = (math.cos(a), math.sin(a), 0.8)
         parts.append(limb(start, way, length, radius, (0, 0.5, 0.7), 60 + k, 14, 0.3))
         twig = numpy.array(start) + numpy.array(way) / numpy.linalg.norm(way) * 0.55 * length
@@ -86,7 +93,7 @@ def branches():
 
 def main():
     target = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "assets" / "fallen-tree.glb"
-    trunk = limb((0, 0.55, -LENGTH / 2), (0.05, -0.005, 1), LENGTH, 0.52, (0.12, -0.03, 0), 3, 36, 0.45)
+    trunk = limb(trunk_at(-LENGTH / 2), (0, 0, 1), LENGTH, 0.52, (0, 0, 0), 3, 36, 0.5, trunk_at)
     positions, triangles, colours = joined([trunk] + roots() + branches())
     target.parent.mkdir(parents=True, exist_ok=True)
     target.write_bytes(glb("fallen tree", "make_tree.py", positions, triangles, colours))

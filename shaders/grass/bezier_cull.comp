@@ -152,7 +152,7 @@ BladeLook lookOf(BezierBlade blade, Standing s, bool onGround) {
     open = 0.6 + 0.4 * s.up.y;
   }
   float sunlit = smoothstep(-0.15, 0.15, 0.3 * s.sizes.x - found.shadowHeight);
-  bright *= slopeLight(found.ground, sunlit) * colliderShade(middle);
+  bright *= slopeLight(found.ground, sunlit) * (onGround ? colliderShade(middle) : colliderShadeOnSurface(middle));
   vec2 felt = smoothWind(s.root.xz);
   found.force = shadeForce(length(felt));
   found.tint = vec4(dry, 0.5 * bright, look.b, open);
@@ -220,6 +220,8 @@ void main() {
   bool onGround = part.reach.w < -0.5;
   uint index = patchIndex * BEZIER_PATCH + lane;
   bool exists = lane < min(uint(part.centre.w), uint(bezier.patches.y));
+  bool first = seen[patchIndex] == 2u || lane < uint(bezier.view.z);
+  exists = exists && first == (round == 0u);
   bool shown = false;
   BezierDrawn record;
   uint list = 0u, recordAt = 0u, listAt = 0u;

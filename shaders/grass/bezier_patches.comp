@@ -38,9 +38,8 @@ void main() {
   // The nearest place of the box decides: large blades hide others, and none of them may be tested against itself.
   vec3 nearest = clamp(frame.cameraPosition.xyz, centre - reach, centre + reach);
   bool first = isOrthographic() || grass.baseColour.w * pixelsPerMetre(nearest) > bezier.levels.w;
-  if (first) {
-    seen[patchesNear(atomicAdd(commands.groupsNear[0], 1u))] = at;
-  } else {
-    seen[patchesFar(atomicAdd(commands.groupsFar[0], 1u))] = at;
-  }
+  // Of a patch with smaller blades the first ones hide the others.
+  seen[at] = first ? 2u : 1u;
+  seen[patchesNear(atomicAdd(commands.groupsNear[0], 1u))] = at;
+  if (!first) seen[patchesFar(atomicAdd(commands.groupsFar[0], 1u))] = at;
 }

@@ -1,4 +1,4 @@
-// The light that colliders take from what is around them. Needs frame.glsl.
+// The light that colliders and surfaces take from what is around them. Needs frame.glsl.
 #include "shaders/shared/collider_shade.h"
 
 layout(std140, binding = RENDER_UBO_COLLIDERS) uniform ColliderUniforms { ColliderShadeBlock colliderShades; };
@@ -6,10 +6,9 @@ layout(std140, binding = RENDER_UBO_COLLIDERS) uniform ColliderUniforms { Collid
 // Parts of the sun's (x) and the sky's light (y) that reach a point, 0..1: for each sphere its shadow with an edge that
 // softens with the distance, and the part of the sky that it covers (the form factor of a sphere, (r / d)^2 cos; a
 // blade of grass sees beside it, too, hence the part without the cosine).
-vec2 colliderLight(vec3 world) {
+vec2 lightPast(vec3 world, int count) {
   vec2 light = vec2(1.0);
   if (any(lessThan(world, colliderShades.low.xyz)) || any(greaterThan(world, colliderShades.high.xyz))) return light;
-  int count = int(colliderShades.low.w);
   for (int i = 0; i < count; ++i) {
     vec3 to = colliderShades.spheres[i].xyz - world;
     float radius = colliderShades.spheres[i].w;
@@ -25,11 +24,17 @@ vec2 colliderLight(vec3 world) {
   return max(light, vec2(0.0, 0.12));
 }
 
-// The same as one factor for what lies level, 1 in the open.
-float colliderShade(vec3 world) {
+vec2 colliderLight(vec3 world) { return lightPast(world, int(colliderShades.low.w)); }
+
+float shadeOf(vec2 light) {
   const vec3 kLuma = vec3(0.2126, 0.7152, 0.0722);
-  vec2 light = colliderLight(world);
   float sun = dot(frame.sunColour.rgb, kLuma) * max(frame.sunDirection.y, 0.0);
   float sky = dot(frame.skyColour.rgb, kLuma);
   return (sun * light.x + sky * light.y) / max(sun + sky, 1e-6);
 }
+
+// The same as one factor for what lies level, 1 in the open.
+float colliderShade(vec3 world) { return shadeOf(colliderLight(world)); }
+
+// For what is a part of a surface, and would take its own light: only colliders count.
+float colliderShadeOnSurface(vec3 world) { return shadeOf(lightPast(world, int(colliderShades.high.w))); }

@@ -1,4 +1,4 @@
-// Spheres that take light from the grass and ground around colliders (std140).
+// Spheres that take light from the grass and ground around colliders and surfaces (std140).
 #ifndef WINDLOOM_SHARED_COLLIDER_SHADE_H
 #define WINDLOOM_SHARED_COLLIDER_SHADE_H
 #include "shaders/shared/language.h"
@@ -8,7 +8,7 @@ WL_SHARED_BEGIN
 
 struct ColliderShadeBlock {
   vec4 low;   // xyz m: no light is taken outside these bounds; w how many spheres
-  vec4 high;  // xyz m
+  vec4 high;  // xyz m; w how many of them are colliders, which come first
   vec4 spheres[COLLIDER_SHADE_SPHERES];  // centre and radius, m
 };
 

@@ -23,5 +23,5 @@ void main() {
   surface.normal = normalize(n + (vec3(fine.r, fine.g, broad.g) - 0.5) * 0.3);
   surface.gloss = 0.0;
   vec3 light = objectLight(surface, surfaceWorld, directionToCamera(surfaceWorld));
-  writeScene(throughAir(light * colliderShade(surfaceWorld), surfaceWorld));
+  writeScene(throughAir(light * colliderShadeOnSurface(surfaceWorld), surfaceWorld));
 }

@@ -34,11 +34,33 @@ PICTURES = [
     ("flowers-near", "flowers", ["--camera", "near", "--time", "2"]),
     ("rolling-ball-hero", "rolling-ball", ["--camera", "hero", "--time", "3"]),
     ("footsteps-hero", "footsteps", ["--camera", "hero", "--time", "3"]),
+    ("nature-hero", "nature", ["--camera", "hero", "--time", "3"]),
+    ("helicopter-hero", "helicopter", ["--camera", "hero", "--time", "3"]),
+    ("moebius-hero", "moebius", ["--camera", "hero", "--time", "3"]),
+    ("fur-near", "fur", ["--camera", "near", "--time", "3"]),
+    ("nature-patches", "nature", ["--camera", "hero", "--time", "1", "--grass-view", "patches"]),
+    ("nature-culled", "nature", ["--camera", "hero", "--time", "1", "--grass-view", "culled"]),
+    ("nature-strength", "nature", ["--camera", "near", "--time", "3", "--grass-view", "strength"]),
+    ("nature-wireframe", "nature", ["--camera", "near", "--time", "1", "--grass-view", "wireframe"]),
 ]
+# Of forms.wind.json: name, form, part of the blades that are dandelions.
+FORMS = [("form-quad", "quad", 0), ("form-triangle", "triangle", 0), ("form-quadratic", "quadratic", 0),
+         ("form-triangle-tip", "triangle-tip", 0), ("form-dandelion", "quad", 1)]
 
 
-def render(windloom, projects, project, more, out):
-    command = [windloom, "render", str(projects / project / f"{project}.wind.json"), "--out", str(out), "--size",
+def form_projects(folder):
+    """A project for each form."""
+    text = (pathlib.Path(__file__).parent / "forms.wind.json").read_text()
+    made = []
+    for name, form, dandelions in FORMS:
+        file = pathlib.Path(folder) / f"{name}.wind.json"
+        file.write_text(text.replace("FORM", form).replace('"dandelions": 0', f'"dandelions": {dandelions}'))
+        made.append((name, file, ["--camera", "near", "--time", "1"]))
+    return made
+
+
+def render(windloom, file, more, out):
+    command = [windloom, "render", str(file), "--out", str(out), "--size",
                f"{SIZE[0]}x{SIZE[1]}", "--resolution", "128x128", "--backend", "cpu", *more]
     done = subprocess.run(command, capture_output=True, text=True)
     if done.returncode != 0:
@@ -80,10 +102,11 @@ def main():
     options = parser.parse_args()
     failures = []
     with tempfile.TemporaryDirectory() as folder:
-        for name, project, more in PICTURES:
+        samples = [(name, options.projects / project / f"{project}.wind.json", more) for name, project, more in PICTURES]
+        for name, file, more in samples + form_projects(folder):
             target = HERE / f"{name}.png"
             out = target if options.renew else pathlib.Path(folder) / target.name
-            render(options.windloom, options.projects, project, more, out)
+            render(options.windloom, file, more, out)
             if options.renew:
                 continue
             stored = pixels(target)

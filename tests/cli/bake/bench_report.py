@@ -18,9 +18,9 @@ class BenchReport(harness.Case):
 
     def test_measures_every_scene_on_the_cpu_without_opengl(self):
         report = json.loads(self.call("bench", "--quick", "--backend", "cpu", "--json").stdout)
-        self.check(report, ["floor", "solver", "meadow", "grassland", "live", "picture", "load", "startup", "runtime"])
+        self.check(report, ["floor", "solver", "meadow", "grassland", "bezier", "live", "picture", "load", "startup", "runtime"])
         self.assertEqual(report["settings"], {"quick": True, "cpu": True, "gpu": False})
-        for scene in ("meadow", "grassland", "live", "picture"):
+        for scene in ("meadow", "grassland", "bezier", "live", "picture"):
             self.assertEqual(report["scenes"][scene], [], f"{scene} can't be measured without OpenGL")
         solver = {(row["scheme"], row.get("arrows")): row for row in report["scenes"]["solver"]}
         self.assertEqual(list(solver), [("one plain Jacobi sweep", None), ("windloom", 10), ("windloom", 100)])
@@ -73,6 +73,27 @@ class BenchReport(harness.Case):
         for row in report["scenes"]["live"]:
             self.assertGreater(row["frame ms"], 0)
             self.assertGreaterEqual(row["changes of detail"], 0)
+
+    def test_prints_the_papers_tables_of_bezier_grass(self):
+        rows = json.loads(self.call("bench", "bezier", "--quick", "--backend", "gpu", "--json").stdout)["scenes"]["bezier"]
+        for scene, spheres in (("nature", 1002), ("helicopter", 64)):
+            table = {row["what"]: row for row in rows if row["scene"] == scene}
+            every, quiet, whole = (lambda what, mode=mode: table[what][mode] for mode in ("all features", "no collision", "no culling"))
+            for column in (every, quiet, whole):
+                self.assertGreater(column("frame ms"), 0)
+                self.assertEqual(column("blades"), 4000)
+                self.assertLessEqual(column("blades drawn"), column("blades of visible patches"))
+                self.assertLessEqual(column("bytes a blade, shape"), 64)
+                self.assertLess(column("bytes a blade, state"), 17)
+            self.assertEqual((quiet("collision spheres"), whole("collision spheres")), (0, every("collision spheres")))
+            self.assertGreater(every("collision spheres"), spheres - 1)
+            for test in ("orientation", "frustum", "distance", "occlusion"):
+                self.assertEqual(whole(f"culled by {test}"), 0, test)
+            self.assertGreater(whole("blades drawn"), every("blades drawn"))
+            views = [what for what in table if what.endswith("SSIM to no culling")]
+            self.assertEqual(len(views), 4)
+            for what in views:
+                self.assertTrue(0.5 < table[what]["all features"] <= 1, table[what])
 
     def test_compares_pictures_and_keeps_them(self):
         folder = self.folder / "pictures"

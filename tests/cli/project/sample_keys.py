@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-SCRIPTS = [("rolling-ball", "make_path.py"), ("footsteps", "make_steps.py")]
+SCRIPTS = [("rolling-ball", "make_path.py"), ("footsteps", "make_steps.py"), ("nature", "make_paths.py"), ("fur", "make_path.py")]
 
 
 def main():
@@ -21,7 +21,7 @@ def main():
             subprocess.run([sys.executable, str(projects / name / script), str(made)], check=True)
             if made.read_text() != kept.read_text():
                 problems.append(f"{script} writes other keys than {kept} holds")
-            other = made.read_text().replace('"name": "ball"', '"name": "stone"').replace("left foot", "hand")
+            other = made.read_text().replace('"name": "ball"', '"name": "stone"').replace("left foot", "hand").replace("large ball", "log")
             made.write_text(other)
             refused = subprocess.run([sys.executable, str(projects / name / script), str(made)], capture_output=True)
             if refused.returncode == 0 or made.read_text() != other:
