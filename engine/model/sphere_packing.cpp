@@ -29,10 +29,10 @@ struct Voxels {
   }
 };
 
-/// Along the longest side: four times the spheres see details half as large (they stand for a surface).
+/// Along the longest side: finer for more spheres, so that a long thin mesh has room for them.
 int voxelsFor(std::size_t most) {
   const double more = static_cast<double>(std::max(most, kUsualSpheres)) / static_cast<double>(kUsualSpheres);
-  return static_cast<int>(std::lround(kVoxels * std::sqrt(more)));
+  return static_cast<int>(std::lround(kVoxels * std::pow(more, 0.9)));
 }
 
 Voxels boxAround(const PlantMesh& mesh, int along) {

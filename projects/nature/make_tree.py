@@ -76,18 +76,33 @@ def roots():
     return parts
 
 
+def twigs(start, way, length, radius, seed):
+    """Off a branch to all sides, the longest in its middle."""
+    random = numpy.random.RandomState(seed)
+    way = numpy.array(way) / numpy.linalg.norm(way)
+    made = []
+    for i in range(9):
+        part = 0.28 + 0.62 * i / 8
+        aside = numpy.cross(way, random.normal(0, 1, 3))
+        aside /= numpy.linalg.norm(aside)
+        aside[1] = abs(aside[1]) if aside[1] < -0.3 else aside[1]
+        foot = numpy.array(start) + way * part * 0.9 * length + numpy.array((0, 0.11, 0.15)) * part * part * length
+        size = length * random.uniform(0.35, 0.6) * (1.15 - part)
+        made.append(limb(foot, 0.75 * aside + 0.7 * way, size + 0.35, 0.42 * radius, (0, 0.35, 0.2), seed + i, 8, 0.35))
+    return made
+
+
 def branches():
     parts = []
     for k, (along, angle, length, radius) in enumerate([
             (0.6, 70, 2.2, 0.16), (1.5, 128, 2.6, 0.17), (2.3, 25, 2.1, 0.15), (2.9, 95, 2.4, 0.14), (3.4, 160, 1.9, 0.13),
-            (3.7, 55, 1.7, 0.11)]):
+            (3.7, 55, 1.7, 0.11), (1.1, 40, 2.0, 0.13), (2.6, 145, 2.2, 0.14), (3.2, 75, 2.1, 0.13), (3.9, 115, 1.8, 0.12)]):
         a = math.radians(angle)
         x, y, _ = trunk_at(along)
         start = (x + 0.1 * math.cos(a), y + 0.1 * math.sin(a), along)
         way = (math.cos(a), math.sin(a), 0.8)
         parts.append(limb(start, way, length, radius, (0, 0.5, 0.7), 60 + k, 14, 0.3))
-        twig = numpy.array(start) + numpy.array(way) / numpy.linalg.norm(way) * 0.55 * length
-        parts.append(limb(twig, (way[0] * 0.2 - 0.6 * (-1) ** k, 0.6, 1.0), 0.5 * length, 0.45 * radius, (0, 0.4, 0.2), 80 + k, 10, 0.3))
+        parts += twigs(start, way, length, radius, 80 + 10 * k)
     return parts
 
 
