@@ -37,7 +37,14 @@ Result<Buffer> Buffer::create(std::string_view label, std::size_t bytes, BufferU
 void Buffer::write(const void* data, std::size_t bytes, std::size_t offset) {
   WL_REQUIRE(m_use == BufferUse::Dynamic, "only a dynamic buffer is written from the CPU");
   WL_REQUIRE(offset + bytes <= m_bytes, "the write lies inside the buffer");
-  if (bytes > 0) glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
+  if (bytes == 0) return;
+  // Not glNamedBufferSubData: with it NVIDIA's driver (580.159) lets compute work that is still under way see the new
+  // bytes, or loses them. A copy takes its place in the queue.
+  GLuint staging = 0;
+  glCreateBuffers(1, &staging);
+  glNamedBufferStorage(staging, static_cast<GLsizeiptr>(bytes), data, 0);
+  glCopyNamedBufferSubData(staging, name(), 0, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
+  glDeleteBuffers(1, &staging);
 }
 
 void Buffer::clear() {

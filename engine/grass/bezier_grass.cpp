@@ -13,6 +13,7 @@
 
 #include "engine/gpu/debug_group.hpp"
 #include "engine/grass/grass_programs.hpp"
+#include "shaders/shared/bezier_cull.h"
 #include "shaders/shared/bezier_pose.h"
 #include "shaders/shared/render_bindings.h"
 
@@ -30,13 +31,6 @@ constexpr std::uint32_t kMostDrawn = 3'000'000;
 constexpr float kMostWidening = 4.0f;
 // Blade heights in pixels from which strips of 7, 4 and 2 segments are drawn.
 constexpr glm::vec3 kLevelPixels{110.0f, 28.0f, 9.0f};
-// And from which a patch is drawn first and hides others.
-constexpr float kFirstPixels = 30.0f;
-// Of the other patches this part of the blades, the highest ones, is drawn first.
-constexpr float kFirstPart = 0.35f;
-// Blades under so many pixels' width are thinned.
-constexpr float kThinPixels = 0.9f;
-
 struct StripShape {
   const char* program;
   int rows, columns;
@@ -102,17 +96,17 @@ BezierBlock makeBlock(const Project& project, const BezierFrame& frame, std::uin
   const bool byDistance = frame.tests.distance && frame.thinning;
   BezierBlock block{};
   block.shape = {std::min(settings.tip, 0.99f), settings.fold, settings.widthLeast, settings.widthSpan};
-  block.cull = {settings.orientationLimit, settings.reach, static_cast<float>(settings.distanceLevels), kThinPixels};
+  block.cull = {settings.orientationLimit, settings.reach, static_cast<float>(settings.distanceLevels), BEZIER_THIN_PIXELS};
   block.tests = {runs(frame.tests.orientation), runs(frame.tests.frustum), runs(byDistance), runs(frame.tests.occlusion)};
   block.patches = {static_cast<float>(patches), static_cast<float>(kept),
                    std::min(static_cast<float>(BEZIER_PATCH) / static_cast<float>(kept), kMostWidening),
                    frame.culling ? 1.0f : 0.0f};
-  block.levels = {kLevelPixels, kFirstPixels};
+  block.levels = {kLevelPixels, BEZIER_FIRST_PIXELS};
   const float view = frame.view == GrassView::Patches    ? BEZIER_VIEW_PATCHES
                      : frame.view == GrassView::Culled   ? BEZIER_VIEW_CULLED
                      : frame.view == GrassView::Strength ? BEZIER_VIEW_STRENGTH
                                                          : BEZIER_VIEW_NORMAL;
-  block.view = {view, static_cast<float>(room), frame.quick ? 0.0f : static_cast<float>(kept) * kFirstPart, 0.0f};
+  block.view = {view, static_cast<float>(room), frame.quick ? 0.0f : static_cast<float>(kept) * BEZIER_FIRST_PART, 0.0f};
   return block;
 }
 

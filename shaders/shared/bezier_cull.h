@@ -19,6 +19,12 @@ using std::min;
 
 // Over this part of the cosine below the limit a blade fades.
 #define BEZIER_ORIENTATION_FADE 0.12f
+// Blades under so many pixels' width are thinned: less would show at the picture's reference views (bench bezier).
+#define BEZIER_THIN_PIXELS 0.9f
+// Patches with blades higher than this, pixels, are drawn first and hide others; of the other patches this part of the
+// blades, the highest ones, is.
+#define BEZIER_FIRST_PIXELS 30.0f
+#define BEZIER_FIRST_PART 0.35f
 // Most widening of blades that stand for others.
 #define BEZIER_MOST_WIDENING 5.0f
 

@@ -94,10 +94,10 @@ class BezierCullGpu : public GpuTest {
     }
     return true;
   }
-  /// Patches with blades higher than this in the picture are drawn first.
+  /// Large blades; of the other patches the first blades are, too.
   [[nodiscard]] bool drawnFirst(const BezierPatch& part) const {
     const glm::vec3 centre(part.centre), reach(part.reach);
-    return m_scene->grass.height * pixelsAt(glm::clamp(eye(), centre - reach, centre + reach)) > 30.0f;
+    return m_scene->grass.height * pixelsAt(glm::clamp(eye(), centre - reach, centre + reach)) > BEZIER_FIRST_PIXELS;
   }
   [[nodiscard]] bool outside(glm::vec3 root, glm::vec2 sizes, const BezierCurve& curve) const {
     const glm::vec2 pixel = 2.0f / glm::vec2(kSize);
@@ -124,7 +124,7 @@ class BezierCullGpu : public GpuTest {
         const glm::vec2 sizes = glm::unpackHalf2x16(blade.sizes);
         const BezierCurve curve = bezierValid(up * sizes.x, up, sizes.x);
         const glm::vec3 across = bezierAcross(up, static_cast<float>(blade.growth >> 16u) / 65535.0f);
-        const float kept = keptAtDistance(distanceOverGround(root, up, eye()), 30.0f, sizes.y * pixelsAt(root), 0.55f);
+        const float kept = keptAtDistance(distanceOverGround(root, up, eye()), 30.0f, sizes.y * pixelsAt(root), BEZIER_THIN_PIXELS);
         const float rank = (static_cast<float>(lane) + 0.5f) / 256.0f;
         if (tests.orientation && seenFromSide(across, glm::normalize(root - eye()), 0.9f) <= 0.0f) {
           ++counts.orientation;
@@ -132,7 +132,7 @@ class BezierCullGpu : public GpuTest {
           ++counts.frustum;
         } else if (tests.distance && grownAtRank(rank, kept, 8.0f) <= 0.0f) {
           ++counts.distance;
-        } else if (tests.occlusion && !drawnFirst(part) && hidden(root + curve.tip) &&
+        } else if (tests.occlusion && !drawnFirst(part) && lane >= static_cast<int>(BEZIER_PATCH * BEZIER_FIRST_PART) && hidden(root + curve.tip) &&
                    hidden(root + bezierPoint(curve, 0.5f)) && hidden(root + bezierPoint(curve, 0.8f))) {
           ++counts.occlusion;
         } else {
