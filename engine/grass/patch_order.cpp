@@ -1,7 +1,6 @@
 #include "engine/grass/patch_order.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -89,24 +88,27 @@ std::uint32_t reversedByte(std::uint32_t i) {
   return (i & 0xaau) >> 1 | (i & 0x55u) << 1;
 }
 
-// How far the height of a blade decides its place in its patch: high ones are what is seen of a thinned meadow, and hide
-// the others.
-constexpr float kHighFirst = 0.55f;
+// Neighbours along the curve among which the high ones come first: they are what is seen of a thinned meadow, and hide
+// the others. Over a whole patch that would leave holes, since high blades stand in clumps and tufts.
+constexpr std::size_t kNeighbours = 8;
+constexpr std::size_t kGroups = BEZIER_PATCH / kNeighbours;
 
-void highFirst(BezierBlade* blades, std::size_t count) {
-  std::array<std::pair<float, std::uint32_t>, BEZIER_PATCH> order;
-  const auto sort = [&] { std::stable_sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count)); };
-  for (std::size_t i = 0; i < count; ++i) order[i] = {-sizesOf(blades[i]).x, static_cast<std::uint32_t>(i)};
-  sort();
-  std::array<std::uint32_t, BEZIER_PATCH> heightRank{};
-  for (std::size_t i = 0; i < count; ++i) heightRank[order[i].second] = static_cast<std::uint32_t>(i);
-  for (std::size_t i = 0; i < count; ++i) {
-    order[i] = {glm::mix(static_cast<float>(i), static_cast<float>(heightRank[i]), kHighFirst), static_cast<std::uint32_t>(i)};
+/// `blades`: along the curve, at most a patch's. The highest of each group of neighbours first, then the second, and so
+/// on; groups in van der Corput's order (bits reversed, scrambled), so that any first part is spread over all of the
+/// curve.
+void arrange(std::vector<BezierBlade>& blades, std::uint32_t scramble, BezierBlade* out) {
+  for (std::size_t from = 0; from < blades.size(); from += kNeighbours) {
+    const auto first = blades.begin() + static_cast<std::ptrdiff_t>(from);
+    std::stable_sort(first, first + static_cast<std::ptrdiff_t>(std::min(kNeighbours, blades.size() - from)),
+                     [](const BezierBlade& a, const BezierBlade& b) { return sizesOf(a).x > sizesOf(b).x; });
   }
-  sort();
-  std::array<BezierBlade, BEZIER_PATCH> sorted;
-  for (std::size_t i = 0; i < count; ++i) sorted[i] = blades[order[i].second];
-  std::copy_n(sorted.begin(), count, blades);
+  for (std::size_t rank = 0; rank < kNeighbours; ++rank) {
+    for (std::uint32_t i = 0; i < kGroups; ++i) {
+      const std::size_t group = (reversedByte(i) / kNeighbours) ^ (scramble % kGroups);
+      const std::size_t at = group * kNeighbours + rank;
+      if (at < blades.size()) *out++ = blades[at];
+    }
+  }
 }
 
 }  // namespace
@@ -143,14 +145,9 @@ void appendPatches(const std::vector<BezierBlade>& blades, int surface, ThreadPo
   const auto fill = [&](std::size_t patch) {
     const std::size_t from = patch * kSize, has = std::min(kSize, blades.size() - from);
     BezierBlade* out = &ordered[(firstPatch + patch) * kSize];
-    // Van der Corput's order along the curve (bits reversed, scrambled): any first part is spread over all of it.
-    const std::uint32_t scramble = pcgHash(static_cast<std::uint32_t>(firstPatch + patch)) & 255u;
-    std::size_t filled = 0;
-    for (std::uint32_t i = 0; i < kSize; ++i) {
-      const std::size_t at = reversedByte(i) ^ scramble;
-      if (at < has) out[filled++] = blades[keys[from + at] & mask];
-    }
-    highFirst(out, has);
+    std::vector<BezierBlade> along(has);
+    for (std::size_t i = 0; i < has; ++i) along[i] = blades[keys[from + i] & mask];
+    arrange(along, pcgHash(static_cast<std::uint32_t>(firstPatch + patch)), out);
     patches[firstPatch + patch] = patchAround(out, has, surface);
   };
   pool.parallelFor(static_cast<int>((count + kPatchesPerChunk - 1) / kPatchesPerChunk), [&](int chunk) {
