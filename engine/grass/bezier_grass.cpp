@@ -112,7 +112,7 @@ BezierBlock makeBlock(const Project& project, const BezierFrame& frame, std::uin
                      : frame.view == GrassView::Culled   ? BEZIER_VIEW_CULLED
                      : frame.view == GrassView::Strength ? BEZIER_VIEW_STRENGTH
                                                          : BEZIER_VIEW_NORMAL;
-  block.view = {view, static_cast<float>(room), static_cast<float>(kept) * kFirstPart, 0.0f};
+  block.view = {view, static_cast<float>(room), frame.quick ? 0.0f : static_cast<float>(kept) * kFirstPart, 0.0f};
   return block;
 }
 
@@ -182,6 +182,7 @@ Result<BezierGrass> BezierGrass::create(gpu::ShaderLibrary& shaders) {
 
 Status BezierGrass::makePrograms() {
   const std::pair<std::string_view, gpu::Program**> programs[] = {{"grass/bezier patches", &m_patchCull},
+                                                                  {"grass/bezier list", &m_patchList},
                                                                   {"grass/bezier cull", &m_cull},
                                                                   {"grass/bezier next round", &m_nextRound}};
   for (const auto& [name, slot] : programs) {
@@ -273,7 +274,12 @@ void BezierGrass::findSeen() {
   m_patches.bindStorage(RENDER_SSBO_BEZIER_PATCHES);
   m_seen.bindStorage(RENDER_SSBO_BEZIER_SEEN);
   m_patchCull->use();
-  m_patchCull->dispatch(static_cast<int>((m_patchCount + BEZIER_CULL_GROUP - 1u) / BEZIER_CULL_GROUP));
+  const auto groups = static_cast<int>((m_patchCount + BEZIER_CULL_GROUP - 1u) / BEZIER_CULL_GROUP);
+  m_patchCull->dispatch(groups);
+  // bezier_list reads what bezier_patches found and counted.
+  glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+  m_patchList->use();
+  m_patchList->dispatch(groups);
 }
 
 BezierStore BezierGrass::store() const {

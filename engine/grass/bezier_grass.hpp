@@ -3,9 +3,10 @@
 // rendering", 2017. Blades are placed on the processor beside the frame (bezier_placement.hpp), moved by BezierPhysics,
 // culled and drawn here.
 //
-// Passes of a frame: bezier_patches lists the patches in sight. Those with large blades are culled (bezier_cull) and drawn
-// first; what they hide, with the hills and solids before them, is left out when the others are culled and drawn: the
-// paper's test against an earlier depth buffer, but against this frame's. No result is waited for.
+// Passes of a frame: bezier_patches and bezier_list list the patches in sight, near ones first. Large blades, and the highest
+// of the others, are culled (bezier_cull) and drawn first; what they hide, with the hills and solids before them, is left
+// out when the rest is culled and drawn: the paper's test against an earlier depth buffer, but against this frame's. No
+// result is waited for.
 
 #include <array>
 #include <memory>
@@ -85,7 +86,7 @@ class BezierGrass {
   std::shared_ptr<Job> m_job;  // being placed; null: none
   Project m_placed;            // what the blades in the store grow on
   bool m_any = false;          // there was one
-  gpu::Program *m_patchCull = nullptr, *m_cull = nullptr, *m_nextRound = nullptr;
+  gpu::Program *m_patchCull = nullptr, *m_patchList = nullptr, *m_cull = nullptr, *m_nextRound = nullptr;
   gpu::ShaderLibrary* m_shaders = nullptr;
   std::array<Strip, BEZIER_LISTS> m_strips;
   gpu::Buffer m_settings, m_blades, m_states, m_patches, m_seen, m_lists, m_drawn, m_commands, m_start;

@@ -2,8 +2,11 @@
 // Where Bezier grass grows: blades on the ground and on surfaces, grouped in patches. Pure and the same for the same
 // input on any number of cores. After Jahrmann & Wimmer, "Responsive real-time grass rendering", 2017, section 3.
 //
-// Single blades stand uniformly over the area; tufts stand at Poisson-disk samples of the surface. Patches hold 256
-// blades each, are compact and in Morton order.
+// Single blades stand uniformly over the area; tufts stand at Poisson-disk samples of the surface. On surfaces tufts are
+// smaller and closer as their blades are lower than the ground's. Around the field the ground's blades thin out in a ragged
+// margin of kMeadowMarginM, beside those that the density asks for. Patches hold 256 blades each, never of two surfaces, are
+// compact and in Morton order; any first part of a patch's blades covers it evenly. A patch's box has room for all that
+// bezierValid (bezier_pose.h) makes of any tip, and for a blade's width to each side.
 
 #include <atomic>
 #include <vector>

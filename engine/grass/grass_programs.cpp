@@ -21,6 +21,7 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/blade far", {"grass/blade.vert", "grass/blade.frag"}, "SEGMENTS=1"},
     {"grass/place plants", {"grass/place_plants.comp"}},
     {"grass/bezier patches", {"grass/bezier_patches.comp"}},
+    {"grass/bezier list", {"grass/bezier_list.comp"}},
     {"grass/bezier cull", {"grass/bezier_cull.comp"}},
     {"grass/bezier next round", {"grass/bezier_round.comp"}},
     {"grass/bezier depth", {"grass/bezier_depth.comp"}},

@@ -5,7 +5,7 @@
 namespace windloom {
 namespace {
 
-/// Places in cubes of the least distance; cubes share a slot where their hashes do, which only costs time.
+/// Places in cubes of twice the least distance; cubes share a slot where their hashes do, which only costs time.
 class HashGrid {
  public:
   HashGrid(const std::vector<GrowthPoint>& points, float least)
@@ -15,11 +15,12 @@ class HashGrid {
         m_next(points.size(), kEnd) {}
 
   [[nodiscard]] bool free(const GrowthPoint& point) const {
-    const glm::ivec3 cube = cubeOf(point.place);
-    for (int z = -1; z <= 1; ++z) {
-      for (int y = -1; y <= 1; ++y) {
-        for (int x = -1; x <= 1; ++x) {
-          for (std::uint32_t i = m_heads[slotOf(cube + glm::ivec3(x, y, z))]; i != kEnd; i = m_next[i]) {
+    // At most two cubes along each axis.
+    const glm::ivec3 low = cubeOf(point.place - m_least), high = cubeOf(point.place + m_least);
+    for (int z = low.z; z <= high.z; ++z) {
+      for (int y = low.y; y <= high.y; ++y) {
+        for (int x = low.x; x <= high.x; ++x) {
+          for (std::uint32_t i = m_heads[slotOf({x, y, z})]; i != kEnd; i = m_next[i]) {
             const glm::vec3 away = m_points[i].place - point.place;
             if (glm::dot(away, away) < m_least * m_least && glm::dot(m_points[i].up, point.up) > 0.0f) return false;
           }
@@ -39,7 +40,7 @@ class HashGrid {
   static constexpr std::uint32_t kEnd = ~0u;
 
   [[nodiscard]] glm::ivec3 cubeOf(glm::vec3 place) const {
-    return glm::ivec3(glm::clamp(glm::floor(place / m_least), glm::vec3(-1e9f), glm::vec3(1e9f)));
+    return glm::ivec3(glm::clamp(glm::floor(place / (2.0f * m_least)), glm::vec3(-1e9f), glm::vec3(1e9f)));
   }
   [[nodiscard]] std::size_t slotOf(glm::ivec3 cube) const {
     const auto bits = [](int i) { return static_cast<std::uint32_t>(i); };

@@ -15,7 +15,7 @@ inline float valueNoise(glm::vec2 place, std::uint32_t seed) {
   const auto x = static_cast<std::uint32_t>(static_cast<std::int32_t>(low.x)),
              z = static_cast<std::uint32_t>(static_cast<std::int32_t>(low.y));
   const auto corner = [&](std::uint32_t i, std::uint32_t k) {
-    return hashToUnit(pcgHash(pcgHash(x + i + seed) ^ ((z + k) * 0x9e3779b9u)));
+    return hashToUnit(pcgHash(((x + i) * 0x8da6b343u + (z + k) * 0xd8163841u) ^ seed));
   };
   return glm::mix(glm::mix(corner(0, 0), corner(1, 0), s.x), glm::mix(corner(0, 1), corner(1, 1), s.x), s.y);
 }

@@ -220,7 +220,7 @@ void main() {
   bool onGround = part.reach.w < -0.5;
   uint index = patchIndex * BEZIER_PATCH + lane;
   bool exists = lane < min(uint(part.centre.w), uint(bezier.patches.y));
-  bool first = seen[patchIndex] == 2u || lane < uint(bezier.view.z);
+  bool first = seen[patchIndex] == BEZIER_SEEN_LARGE || lane < uint(bezier.view.z);
   exists = exists && first == (round == 0u);
   bool shown = false;
   BezierDrawn record;

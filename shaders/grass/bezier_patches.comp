@@ -1,6 +1,5 @@
 #version 450 core
-// Lists the patches of Bezier grass that may be seen: those near enough for large blades, which are drawn first, and the
-// others. A thread looks at one.
+// Finds the patches of Bezier grass that may be seen, and counts them by distance. A thread looks at one.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
 #include "shaders/include/wind_field.glsl"
@@ -27,7 +26,7 @@ void main() {
   uint blades = min(uint(part.centre.w), uint(bezier.patches.y));
   bool inSight = bezier.patches.w < 0.5 || insideFrustum(centre, reach);
   bool hidden = inSight && bezier.tests.w > 0.5 && isOccluded(centre, reach);
-  seen[at] = inSight && !hidden ? 1u : 0u;
+  seen[at] = 0u;
   if (!inSight) return;
   atomicAdd(commands.counts[BEZIER_COUNT_IN_PATCHES], blades);
   atomicAdd(commands.counts[BEZIER_COUNT_PATCHES], 1u);
@@ -35,11 +34,11 @@ void main() {
     atomicAdd(commands.counts[BEZIER_COUNT_OCCLUSION], blades);
     return;
   }
-  // The nearest place of the box decides: large blades hide others, and none of them may be tested against itself.
+  // The nearest place of the box decides: none of the large blades may be left for the second round.
   vec3 nearest = clamp(frame.cameraPosition.xyz, centre - reach, centre + reach);
-  bool first = isOrthographic() || grass.baseColour.w * pixelsPerMetre(nearest) > bezier.levels.w;
-  // Of a patch with smaller blades the first ones hide the others.
-  seen[at] = first ? 2u : 1u;
-  seen[patchesNear(atomicAdd(commands.groupsNear[0], 1u))] = at;
-  if (!first) seen[patchesFar(atomicAdd(commands.groupsFar[0], 1u))] = at;
+  bool large = isOrthographic() || grass.baseColour.w * pixelsPerMetre(nearest) > bezier.levels.w;
+  seen[at] = large ? BEZIER_SEEN_LARGE : BEZIER_SEEN_SMALL;
+  uint bucket = bucketOf(part);
+  if (large || bezier.view.z > 0.5) atomicAdd(commands.buckets[bucket], 1u);
+  if (!large) atomicAdd(commands.buckets[BEZIER_BUCKETS + bucket], 1u);
 }

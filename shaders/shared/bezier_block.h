@@ -12,6 +12,9 @@ WL_SHARED_BEGIN
 // Patches that a work-group of the patch culling looks at.
 #define BEZIER_CULL_GROUP 64u
 
+// Steps of distance in which patches are ordered, near ones first.
+#define BEZIER_BUCKETS 32u
+
 // GrassView of engine/grass/bezier_view.hpp.
 #define BEZIER_VIEW_NORMAL 0.0f
 #define BEZIER_VIEW_PATCHES 1.0f
@@ -64,12 +67,14 @@ struct BezierCommands {
   uint starts[8];      // where each list begins in this round
   uint ends[8];        // and ends
   uint draws[40];      // glDrawElementsIndirect: 5 for each list, this round's
+  uint buckets[64];    // patches in each step of distance: those of the first round, then those of the other
+  uint taken[64];      // of them, listed
 };
 
 WL_SHARED_END
 #ifdef __cplusplus
 static_assert(sizeof(windloom::shared::BezierBlock) == 6 * 16, "std140 layout");
 static_assert(sizeof(windloom::shared::BezierDrawn) == 52, "std430 layout");
-static_assert(sizeof(windloom::shared::BezierCommands) == 4 * (4 + 4 + 8 + 4 + 8 + 8 + 40), "std430 layout");
+static_assert(sizeof(windloom::shared::BezierCommands) == 4 * (4 + 4 + 8 + 4 + 8 + 8 + 40 + 64 + 64), "std430 layout");
 #endif
 #endif

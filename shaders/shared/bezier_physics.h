@@ -9,7 +9,7 @@
 // blade has halfway (second order). It is stable for any length of a step and any stiffness, and the pose at a time depends
 // on the frame rate by little. Tips that are stored are as eq. 10 to 13 leave them: validating them again changes nothing.
 //
-// Eq. 12 gives the curves that occur their length to 0.99%, 0.44% in the mean over directions (a test measures it).
+// Eq. 12 gives the curves that occur their length to 0.99%, 0.45% in the mean over directions (a test measures it).
 #ifndef WINDLOOM_SHARED_BEZIER_PHYSICS_H
 #define WINDLOOM_SHARED_BEZIER_PHYSICS_H
 #include "shaders/shared/bezier_pose.h"

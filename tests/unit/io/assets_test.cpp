@@ -75,6 +75,25 @@ TEST_F(Assets, FillsMeshesAndMapsAndSharesThem) {
   EXPECT_EQ(project.surfaces, surfacesBefore);
 }
 
+TEST_F(Assets, PacksAsManySpheresAsAColliderAsksFor) {
+  Project project = with({});
+  Collider usual;
+  usual.shape = ColliderShape::Mesh;
+  usual.file = "tuft.glb";
+  Collider few = usual, fewToo = usual;
+  few.spheres = fewToo.spheres = 2;
+  project.colliders = std::make_shared<std::vector<Collider>>(std::vector{usual, few, fewToo});
+  ASSERT_TRUE(loadAssets(project, file()).ok());
+  const std::vector<Collider>& read = *project.colliders;
+  ASSERT_TRUE(read[0].mesh && read[1].mesh);
+  EXPECT_GT(read[0].mesh->spheres.size(), 2u);
+  EXPECT_EQ(read[1].mesh->spheres.size(), 2u);
+  EXPECT_EQ(read[1].mesh, read[2].mesh) << "one mesh for all that want the same";
+  const auto before = project.colliders;
+  ASSERT_TRUE(loadAssets(project, file()).ok());
+  EXPECT_EQ(project.colliders, before) << "nothing is packed again";
+}
+
 TEST_F(Assets, ReportsEachFailureAtItsPlaceAndFillsTheRest) {
   Project project = with({meshSpecies(1, "gone.glb"), meshSpecies(2, "tuft.glb"), meshSpecies(3, "mask.png")});
   Surface surface;

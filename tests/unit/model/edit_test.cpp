@@ -215,6 +215,32 @@ TEST(ApplyEdit, NamesWhatIsWrongWithSpeciesAndColliders) {
   EXPECT_EQ(refusals(project, editOf(Put<Collider>{ball})), Pointers{"/colliders/0/keys/1"});
 }
 
+TEST(ApplyEdit, AnotherNumberOfSpheresPacksTheMeshAgain) {
+  const Project before = richProject();
+  auto mesh = std::make_shared<PlantMesh>();
+  mesh->file = "assets/stone.glb";
+  for (int i = 0; i < 8; ++i) {
+    PlantVertex corner;
+    corner.position = glm::vec3((i & 1) != 0 ? 1 : -1, (i & 2) != 0 ? 1 : -1, (i & 4) != 0 ? 1 : -1);
+    mesh->vertices.push_back(corner);
+  }
+  mesh->indices = {0, 2, 3, 0, 3, 1, 4, 5, 7, 4, 7, 6, 0, 1, 5, 0, 5, 4,
+                   2, 6, 7, 2, 7, 3, 0, 4, 6, 0, 6, 2, 1, 3, 7, 1, 7, 5};
+  Collider stone = before.colliders->front();
+  stone.shape = ColliderShape::Mesh;
+  stone.file = mesh->file;
+  stone.mesh = mesh;
+  stone.spheres = 20;
+  const Project packed = *applyEdit(before, editOf(Put<Collider>{stone}));
+  ASSERT_TRUE(packed.colliders->front().mesh);
+  EXPECT_EQ(packed.colliders->front().mesh->spheres.size(), 20u);
+  stone = packed.colliders->front();
+  stone.lift = 1.0f;
+  EXPECT_EQ(applyEdit(packed, editOf(Put<Collider>{stone}))->colliders->front().mesh, stone.mesh);
+  stone.spheres = 0;
+  EXPECT_FALSE(applyEdit(packed, editOf(Put<Collider>{stone})).ok()) << "1 to 1024";
+}
+
 TEST(ApplyEdit, WhatWasReadStaysOnlyWithTheNameOfItsFile) {
   const Project before = richProject();
   auto mesh = std::make_shared<PlantMesh>();
