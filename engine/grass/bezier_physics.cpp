@@ -83,11 +83,14 @@ BezierPhysicsBlock makeBezierPhysicsBlock(const Project& project, double seconds
 
 std::vector<BezierMover> bezierMovers(std::span<const ColliderPrimitive> begin,
                                       std::span<const ColliderPrimitive> end) {
+  constexpr float kStillM = 1e-6f;
   const bool move = begin.size() == end.size();
   std::vector<BezierMover> movers(end.size());
   for (std::size_t i = 0; i < end.size(); ++i) {
     const ColliderPrimitive& from = move ? begin[i] : end[i];
     movers[i] = {from.a, from.b, end[i].a, end[i].b};
+    const float way = std::max(glm::length(glm::vec3(end[i].a - from.a)), glm::length(glm::vec3(end[i].b - from.b)));
+    movers[i].b.w = way > kStillM ? 1.0f : 0.0f;
   }
   return movers;
 }

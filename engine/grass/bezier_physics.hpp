@@ -3,9 +3,10 @@
 // Jahrmann & Wimmer, "Responsive real-time grass rendering", 2017, section 5; shaders/shared/bezier_physics.h has the
 // equations and how they are integrated.
 //
-// Beyond the paper: a motion is the same at any frame rate; patches that are neither seen nor touched sleep, and catch
-// up when they are seen again; after a jump in time blades stand as if time had run there. Passes: bezier_wake lists
-// the patches to be stepped, bezier_step, dispatched by that list, steps them. No result is waited for.
+// Beyond the paper: a motion is the same at any frame rate; patches that are not seen, and that nothing moves through,
+// sleep, and catch up when they are seen again; after a jump in time blades stand as if time had run there. Passes:
+// bezier_wake lists the patches to be stepped, bezier_step, dispatched by that list, steps them. No result is waited
+// for.
 //
 // Drawing reads the states and nothing else, with bezierValid (bezier_pose.h), after a barrier for storage buffers.
 
@@ -46,8 +47,8 @@ BezierPhysicsBlock makeBezierPhysicsBlock(const Project& project, double seconds
 
 /// What moves in a step: primitives of its begin and end, where their number is the same; else those of the end stand.
 std::vector<BezierMover> bezierMovers(std::span<const ColliderPrimitive> begin, std::span<const ColliderPrimitive> end);
-/// Parts of a step of `seconds` where something touches, 1..BEZIER_PARTS_MOST: of BEZIER_TOUCH_STEP_S, and shorter ones
-/// where a mover would go much farther than it is thick.
+/// Parts of a step of `seconds` where something moves through, 1..BEZIER_PARTS_MOST: of BEZIER_TOUCH_STEP_S, and
+/// shorter ones where a mover would go much farther than it is thick.
 float bezierTouchParts(std::span<const BezierMover> movers, float seconds);
 
 class BezierPhysics {

@@ -111,16 +111,17 @@ void main() {
   blade.motion.strength = bezierFaded(blade.motion.strength, fade, asleep - wakeSeconds * wakeParts);
   float parts = bezierParts(stepSeconds, blade.forces.wind);
 #ifdef TOUCHED
-  parts = max(parts, touchParts);
+  if (work.moving != 0u) parts = max(parts, touchParts);
 #endif
   float seconds = stepSeconds / parts;
   // One loop, tested at its end: a software renderer does what is in a branch not taken, and a loop's body once more where
   // the test comes first.
   float i = -wakeParts;
   do {
-    blade.motion = bezierSwing(blade.forces, blade.motion, fade, i < 0.0 ? wakeSeconds : seconds);
+    float lasts = i < 0.0 ? wakeSeconds : seconds;
+    blade.motion = bezierSwing(blade.forces, blade.motion, fade, lasts);
 #ifdef TOUCHED
-    if (i >= 0.0) touch(blade, (i + 1.0) / parts, seconds);
+    touch(blade, max(i + 1.0, 0.0) / parts, lasts);
 #endif
   } while (++i < parts);
   float reach = blade.height * bezierReach(blade.motion.direction, blade.forces.up);

@@ -1,6 +1,7 @@
 #version 450 core
-// Which patches of Bezier grass are stepped: those that are seen, or that something may touch. The others sleep, and are told when they
-// wake for how long they did.
+// Which patches of Bezier grass are stepped: those that are seen, or that something moves through. The others sleep, and are
+// told when they wake for how long they did. What lies still in a patch doesn't wake it: its blades would lean against it all
+// the same.
 #include "shaders/shared/bezier_blade.h"
 #include "shaders/shared/bezier_physics.h"
 #include "shaders/shared/render_bindings.h"
@@ -32,7 +33,9 @@ bool apart(BezierPatch at, vec3 low, vec3 high) {
   return any(greaterThan(low, at.centre.xyz + at.reach.xyz)) || any(lessThan(high, at.centre.xyz - at.reach.xyz));
 }
 
-bool mayTouch(BezierPatch at) {
+// 0: nothing may touch the patch; 1: something that lies still; 2: something that moves.
+uint mayTouch(BezierPatch at) {
+  uint found = 0u;
   for (uint run = 0u; run * BEZIER_RUN < moverCount; ++run) {
     if (apart(at, runs[run].low.xyz, runs[run].high.xyz)) continue;
     uint end = min((run + 1u) * BEZIER_RUN, moverCount);
@@ -40,10 +43,12 @@ bool mayTouch(BezierPatch at) {
       BezierMover mover = movers[i];
       vec3 low = min(min(mover.a.xyz, mover.b.xyz), min(mover.laterA.xyz, mover.laterB.xyz));
       vec3 high = max(max(mover.a.xyz, mover.b.xyz), max(mover.laterA.xyz, mover.laterB.xyz));
-      if (!apart(at, low - mover.a.w, high + mover.a.w)) return true;
+      if (apart(at, low - mover.a.w, high + mover.a.w)) continue;
+      if (mover.b.w > 0.5) return 2u;
+      found = 1u;
     }
   }
-  return false;
+  return found;
 }
 
 void main() {
@@ -51,11 +56,11 @@ void main() {
   if (index >= patchCount) return;
   BezierClock clock = clocks[index];
   if (jumped) clock = BezierClock(0.0, 0u);
-  bool hit = moverCount > 0u && mayTouch(patches[index]);
+  uint hit = moverCount > 0u ? mayTouch(patches[index]) : 0u;
   bool due = clock.known < kept || clock.pending + stepSeconds > 0.0;
-  if (due && (hit || (looksOn && seen[index] != 0u))) {
-    uint place = hit ? patchCount - 1u - atomicAdd(touched, 1u) : atomicAdd(quiet, 1u);
-    works[place] = BezierWork(index, min(clock.known, kept), clock.pending, 0u);
+  if (due && (hit == 2u || (looksOn && seen[index] != 0u))) {
+    uint place = hit != 0u ? patchCount - 1u - atomicAdd(touched, 1u) : atomicAdd(quiet, 1u);
+    works[place] = BezierWork(index, min(clock.known, kept), clock.pending, hit == 2u ? 1u : 0u);
     clock = BezierClock(0.0, kept);
   } else {
     clock.pending += stepSeconds;

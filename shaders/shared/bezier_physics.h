@@ -23,7 +23,7 @@ using std::sqrt;
 #endif
 
 #define BEZIER_STEP_S (1.0f / 60.0f)
-// Where something touches: with parts of 1/60 s a blade in the middle of a ball's way ends up to a tenth of its height away
+// Where something moves through: with parts of 1/60 s a blade in the middle of a ball's way ends up to a tenth of its height away
 // from where parts of 1/240 s leave it.
 #define BEZIER_TOUCH_STEP_S (1.0f / 240.0f)
 #define BEZIER_PARTS_MOST 32.0f
@@ -55,7 +55,7 @@ struct BezierWork {
   uint patchIndex;
   uint known;       // the first blades have a state; the others begin at rest
   float asleep;     // s that it slept through before this step
-  uint unused;
+  uint moving;      // 1: something that moves may touch it
 };
 
 /// When a patch was stepped last.
@@ -67,7 +67,7 @@ struct BezierClock {
 /// A primitive at the begin and at the end of a step.
 struct BezierMover {
   vec4 a;       // as ColliderPrimitive
-  vec4 b;
+  vec4 b;       // w 1: it moves
   vec4 laterA;
   vec4 laterB;
 };

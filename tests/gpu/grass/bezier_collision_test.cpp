@@ -203,5 +203,25 @@ TEST_F(BezierCollisionGpu, BladesAgainstABallThatLiesStillDontTremble) {
   EXPECT_LT(most, 0.01f);
 }
 
+TEST_F(BezierCollisionGpu, AThingThatLiesStillWakesNoPatchButIsMetWhenItWakes) {
+  BladeStore blades(lawn({-0.8f, -0.8f}, {16, 16}, 0.1f));
+  m_scene->blow({5.0f, 0.0f});
+  colliders = {ball(0.5f, {})};
+  blades.setSeen(false);
+  configure(blades);
+  for (int i = 0; i <= 30; ++i) advance(blades, i * kFrame);
+  for (const BezierState& state : blades.states()) ASSERT_EQ(state.tip, glm::vec4(0.0f));
+  blades.setSeen(true);
+  advance(blades, 31 * kFrame);
+  const std::vector<BezierState> woken = blades.states();
+  EXPECT_LT(deepest(woken, blades, colliderPrimitives(project(), 0.0)), 0.05f);
+  for (int i = 32; i <= 120; ++i) advance(blades, i * kFrame);
+  const std::vector<BezierState> later = blades.states();
+  int alike = 0;
+  for (std::size_t i = 0; i < later.size(); ++i)
+    alike += glm::length(vec3(later[i].tip - woken[i].tip)) < 0.05f ? 1 : 0;
+  EXPECT_GT(alike, int(later.size()) * 75 / 100) << "most lean against it at once as they will";
+}
+
 }  // namespace
 }  // namespace windloom
