@@ -95,6 +95,10 @@ Result<Project> sampleProject(const std::string& name, BenchSize size) {
   BezierSettings bezier = *project->bezier;
   bezier.most = 4000;
   project->bezier = std::make_shared<BezierSettings>(bezier);
+  std::vector<Collider> balls = *project->colliders;
+  std::erase_if(balls, [](const Collider& collider) { return collider.shape == ColliderShape::Mesh; });
+  project->colliders = std::make_shared<std::vector<Collider>>(std::move(balls));
+  project->cameras = std::make_shared<std::vector<Camera>>(1, project->cameras->front());
   return project;
 }
 

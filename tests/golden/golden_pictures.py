@@ -38,10 +38,10 @@ PICTURES = [
     ("helicopter-hero", "helicopter", ["--camera", "hero", "--time", "3"]),
     ("moebius-hero", "moebius", ["--camera", "hero", "--time", "3"]),
     ("fur-near", "fur", ["--camera", "near", "--time", "3"]),
-    ("nature-patches", "nature", ["--camera", "hero", "--time", "1", "--grass-view", "patches"]),
-    ("nature-culled", "nature", ["--camera", "hero", "--time", "1", "--grass-view", "culled"]),
-    ("nature-strength", "nature", ["--camera", "near", "--time", "3", "--grass-view", "strength"]),
-    ("nature-wireframe", "nature", ["--camera", "near", "--time", "1", "--grass-view", "wireframe"]),
+    ("fur-patches", "fur", ["--camera", "near", "--time", "1", "--grass-view", "patches"]),
+    ("moebius-culled", "moebius", ["--camera", "hero", "--time", "1", "--grass-view", "culled"]),
+    ("fur-strength", "fur", ["--camera", "hero", "--time", "4", "--grass-view", "strength"]),
+    ("fur-wireframe", "fur", ["--camera", "near", "--time", "1", "--grass-view", "wireframe"]),
 ]
 # Of forms.wind.json: name, form, part of the blades that are dandelions.
 FORMS = [("form-quad", "quad", 0), ("form-triangle", "triangle", 0), ("form-quadratic", "quadratic", 0),
