@@ -70,9 +70,11 @@ bool ScenePicture::update(Session& session, const SceneRequest& request) {
   view.grassView = request.grassView;
   view.bezierCulling = request.bezierCulling;
   view.highlight = {m_shown.selected, m_shown.hovered};
-  view.quality = {.detail = request.detail, .still = still};
+  view.quality = {.detail = request.detail, .still = still, .complete = false};
   session.draw(view);
-  return !still;
+  // Blades that are still being placed come with one of the next pictures.
+  if (!session.status().frame.complete) m_more = kSettleFrames;
+  return !still || m_more > 0;
 }
 
 void ScenePicture::copyToWindow(glm::ivec2 origin) const {

@@ -3,6 +3,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "engine/grass/bezier_placement.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
@@ -29,7 +30,7 @@ Sizes sizesOf(const Project& project, double fps) {
   const double area = static_cast<double>(project.field->size.x) * static_cast<double>(project.field->size.y);
   const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
   auto blades = static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass)));
-  if (project.grass->kind == GrassKind::Bezier) blades = std::min<std::int64_t>(blades, project.bezier->most);
+  if (project.grass->kind == GrassKind::Bezier) blades = placeBezier(project).count;
   return {cells, blades, cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
 }
 

@@ -54,6 +54,29 @@ void addWaves(BezierPhysicsBlock& block, const Project& project, double seconds)
   }
 }
 
+/// Moving ones first, and neighbours beside each other, so that the boxes around BEZIER_RUN of them are small.
+void gather(std::vector<BezierMover>& movers) {
+  constexpr float kCellM = 0.5f;
+  const auto cell = [](const BezierMover& mover) {
+    const glm::ivec3 at(glm::floor(glm::vec3(mover.laterA) / kCellM));
+    std::uint32_t code = 0;  // a Morton code that repeats every 512 m
+    for (int bit = 0; bit < 10; ++bit) {
+      for (int axis = 0; axis < 3; ++axis) code |= (static_cast<std::uint32_t>(at[axis]) >> bit & 1u) << (3 * bit + axis);
+    }
+    return code;
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> order;
+  for (std::size_t i = 0; i < movers.size(); ++i) {
+    const std::uint64_t still = movers[i].b.w > 0.5f ? 0 : 1;
+    order.emplace_back(still << 32 | cell(movers[i]), static_cast<std::uint32_t>(i));
+  }
+  std::ranges::sort(order);
+  std::vector<BezierMover> gathered;
+  gathered.reserve(movers.size());
+  for (const auto& [key, index] : order) gathered.push_back(movers[index]);
+  movers.swap(gathered);
+}
+
 BezierRun boxOf(std::span<const BezierMover> movers) {
   glm::vec3 low(1e30f), high(-1e30f);
   for (const BezierMover& mover : movers) {
@@ -92,6 +115,7 @@ std::vector<BezierMover> bezierMovers(std::span<const ColliderPrimitive> begin,
     const float way = std::max(glm::length(glm::vec3(end[i].a - from.a)), glm::length(glm::vec3(end[i].b - from.b)));
     movers[i].b.w = way > kStillM ? 1.0f : 0.0f;
   }
+  gather(movers);
   return movers;
 }
 

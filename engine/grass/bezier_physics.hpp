@@ -46,6 +46,7 @@ inline constexpr float kBezierStepS = BEZIER_STEP_S;
 BezierPhysicsBlock makeBezierPhysicsBlock(const Project& project, double seconds);
 
 /// What moves in a step: primitives of its begin and end, where their number is the same; else those of the end stand.
+/// Moving ones come first.
 std::vector<BezierMover> bezierMovers(std::span<const ColliderPrimitive> begin, std::span<const ColliderPrimitive> end);
 /// Parts of a step of `seconds` where something moves through, 1..BEZIER_PARTS_MOST: of BEZIER_TOUCH_STEP_S, and
 /// shorter ones where a mover would go much farther than it is thick.

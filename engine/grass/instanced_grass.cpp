@@ -129,6 +129,8 @@ Status InstancedGrass::bindSettings(const GrassSettings& grass, std::span<const 
   block.limits.y = chains == Chains::Some ? 1.0f : 0.0f;
   block.limits.z = occluderLevels > 0 ? 1.0f : 0.0f;
   block.limits.w = static_cast<float>(occluderLevels);
+  // The ground shows nothing in place of blades that are left out here: they are drawn by others.
+  if (blades == Blades::None) block.tileCentre.w = 1.0f;
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_GRASS);
   m_tiles = blades == Blades::Drawn ? tilesInRings(block) : 0;

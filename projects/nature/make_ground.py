@@ -10,7 +10,7 @@ import numpy
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "hills"))
 from make_hills import smooth_noise, write_png  # noqa: E402
 
-SIDE = 257     # pixels, one for each 0.5 m of 128 m
+SIDE = 129     # pixels, one for each metre of 128 m
 EXTENT = 128.0  # m
 HEIGHT = 16.0  # m from black to white
 

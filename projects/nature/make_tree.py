@@ -35,7 +35,7 @@ def trunk_at(along):
 
 def limb(start, way, length, radius, bend, seed, sectors=22, tip=0.25, course=None):
     """Tapering, bending towards `bend` or along `course`; bark below, moss on top, bare wood at the broken end."""
-    rings = max(10, int(length * 9))
+    rings = max(8, int(length * 6))
     centres, radii = [], []
     at, way = numpy.array(start, float), numpy.array(way, float) / numpy.linalg.norm(way)
     random = numpy.random.RandomState(seed)
@@ -72,7 +72,7 @@ def roots():
         way = (math.cos(angle), math.sin(angle), -0.75)
         start = (0.30 * math.cos(angle), 0.50 + 0.30 * math.sin(angle), -LENGTH / 2 + 0.30)
         length = 0.75 + 0.35 * math.sin(3 * k + 1)
-        parts.append(limb(start, way, length, 0.19, (0, -0.3, -0.3), 40 + k, 12, 0.22))
+        parts.append(limb(start, way, length, 0.19, (0, -0.3, -0.3), 40 + k, 9, 0.22))
     return parts
 
 
@@ -88,7 +88,7 @@ def twigs(start, way, length, radius, seed):
         aside[1] = abs(aside[1]) if aside[1] < -0.3 else aside[1]
         foot = numpy.array(start) + way * part * 0.9 * length + numpy.array((0, 0.11, 0.15)) * part * part * length
         size = length * random.uniform(0.35, 0.6) * (1.15 - part)
-        made.append(limb(foot, 0.75 * aside + 0.7 * way, size + 0.35, 0.42 * radius, (0, 0.35, 0.2), seed + i, 8, 0.35))
+        made.append(limb(foot, 0.75 * aside + 0.7 * way, size + 0.35, 0.42 * radius, (0, 0.35, 0.2), seed + i, 6, 0.35))
     return made
 
 
@@ -101,7 +101,7 @@ def branches():
         x, y, _ = trunk_at(along)
         start = (x + 0.1 * math.cos(a), y + 0.1 * math.sin(a), along)
         way = (math.cos(a), math.sin(a), 0.8)
-        parts.append(limb(start, way, length, radius, (0, 0.5, 0.7), 60 + k, 14, 0.3))
+        parts.append(limb(start, way, length, radius, (0, 0.5, 0.7), 60 + k, 10, 0.3))
         parts += twigs(start, way, length, radius, 80 + 10 * k)
     return parts
 

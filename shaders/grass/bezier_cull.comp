@@ -11,6 +11,7 @@
 #include "shaders/include/tone_map.glsl"
 #include "shaders/include/occluders.glsl"
 #include "shaders/include/grass_maps.glsl"
+#include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/colliders.glsl"
 #include "shaders/include/blade_light.glsl"
 #include "shaders/include/bezier_work.glsl"
@@ -144,8 +145,11 @@ BladeLook lookOf(BezierBlade blade, Standing s, bool onGround) {
     bright *= broad.y;
     found.ground = ground.normal;
     found.colour = mapColour(s.root.xz);
-    found.canopy = canopyOf(mapHeight(s.root.xz));
-    found.closed = closedOf(mapHeight(s.root.xz));
+    // Lower, and in the open, in the margin around the field, as they grow there.
+    float margin = smoothstep(0.0, 0.8, beyondField(s.root.xz) / grass.tileCentre.z);
+    float share = mapHeight(s.root.xz) * mix(1.0, 0.3, margin);
+    found.canopy = canopyOf(share);
+    found.closed = closedOf(share);
   } else {
     found.ground = s.up;
     found.colour = vec3(1.0);

@@ -33,9 +33,8 @@ bool apart(BezierPatch at, vec3 low, vec3 high) {
   return any(greaterThan(low, at.centre.xyz + at.reach.xyz)) || any(lessThan(high, at.centre.xyz - at.reach.xyz));
 }
 
-// 0: nothing may touch the patch; 1: something that lies still; 2: something that moves.
+// 0: nothing may touch the patch; 1: something that lies still; 2: something that moves. Those that move come first.
 uint mayTouch(BezierPatch at) {
-  uint found = 0u;
   for (uint run = 0u; run * BEZIER_RUN < moverCount; ++run) {
     if (apart(at, runs[run].low.xyz, runs[run].high.xyz)) continue;
     uint end = min((run + 1u) * BEZIER_RUN, moverCount);
@@ -44,11 +43,10 @@ uint mayTouch(BezierPatch at) {
       vec3 low = min(min(mover.a.xyz, mover.b.xyz), min(mover.laterA.xyz, mover.laterB.xyz));
       vec3 high = max(max(mover.a.xyz, mover.b.xyz), max(mover.laterA.xyz, mover.laterB.xyz));
       if (apart(at, low - mover.a.w, high + mover.a.w)) continue;
-      if (mover.b.w > 0.5) return 2u;
-      found = 1u;
+      return mover.b.w > 0.5 ? 2u : 1u;
     }
   }
-  return found;
+  return 0u;
 }
 
 void main() {
