@@ -201,9 +201,9 @@ struct BezierSettings {
   // Forces.
   float recovery = 4.0f;                     ///< 1/s: s of eq. 3 for stiffness 1
   glm::vec3 gravityDirection{0.0f, -1.0f, 0.0f};  ///< D_xyz of eq. 4, any length but 0
-  float gravity = 0.6f;                      ///< m/s: D_w
+  float gravity = 1.5f;                      ///< m/s: D_w
   glm::vec3 gravityCentre{0.0f};             ///< m in the world: C_xyz
-  float centreGravity = 0.6f;                ///< m/s: C_w
+  float centreGravity = 1.5f;                ///< m/s: C_w
   float centreBlend = 0.0f;                  ///< t: 0 along the direction, 1 towards the centre
   float frontGravity = 0.25f;                ///< part of it that pulls to the front (eq. 5)
   BezierWind wind = BezierWind::Field;
