@@ -211,7 +211,7 @@ struct BezierBench {
 Result<std::vector<BenchRow>> benchBezier(const BenchSetup& setup) {
   if (setup.context == nullptr) return std::vector<BenchRow>{};
   glm::ivec2 size = setup.picture.value_or(setup.size == BenchSize::Quick ? glm::ivec2(160, 120) : kPaperSize);
-  size -= size % 2;  // halved to compare
+  size = glm::max(size - size % 2, glm::ivec2(32));  // halved to compare
   BezierBench bench{setup, size, {}};
   for (const char* scene : kScenes) {
     const Result<Project> project = sampleProject(scene, setup.size);

@@ -69,7 +69,8 @@ Json bezierCountsJson(const BezierCounts& counts) {
            {{"orientation", counts.orientation},
             {"frustum", counts.frustum},
             {"distance", counts.distance},
-            {"occlusion", counts.occlusion}}},
+            {"occlusion", counts.occlusion},
+            {"inSolids", counts.buried}}},
           {"drawn", counts.drawn}};
 }
 

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <memory>
 
-#include "engine/grass/bezier_placement.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
+#include "engine/grass/bezier_placement.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/parameters.hpp"
 

@@ -1,7 +1,9 @@
 #include "engine/gpu/buffer.hpp"
 
+#include <string>
 #include <vector>
 
+#include "engine/core/log.hpp"
 #include "engine/gpu/object_label.hpp"
 
 namespace windloom::gpu {
@@ -42,7 +44,10 @@ void Buffer::write(const void* data, std::size_t bytes, std::size_t offset) {
   // bytes, or loses them. A copy takes its place in the queue.
   GLuint staging = 0;
   glCreateBuffers(1, &staging);
+  labelObject(BufferKind::kLabel, staging, "staging");
+  forgetErrors();
   glNamedBufferStorage(staging, static_cast<GLsizeiptr>(bytes), data, 0);
+  if (glGetError() != GL_NO_ERROR) logError("OpenGL has no memory to write " + std::to_string(bytes) + " bytes");
   glCopyNamedBufferSubData(staging, name(), 0, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
   glDeleteBuffers(1, &staging);
 }

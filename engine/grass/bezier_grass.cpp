@@ -7,10 +7,12 @@
 #include <chrono>
 #include <cmath>
 #include <cstring>
+#include <exception>
 #include <future>
 #include <string>
 #include <tuple>
 
+#include "engine/core/log.hpp"
 #include "engine/gpu/debug_group.hpp"
 #include "engine/grass/grass_programs.hpp"
 #include "shaders/shared/bezier_cull.h"
@@ -25,7 +27,7 @@ using shared::BezierCommands;
 using shared::BezierDrawn;
 using shared::BezierState;
 
-// Records of blades to be drawn at most, 156 MB: a picture of 1920 x 1080 needs a tenth of it.
+// Records of blades to be drawn at most, 228 MB with their lists: a picture of 1920 x 1080 needs a tenth of it.
 constexpr std::uint32_t kMostDrawn = 3'000'000;
 // Blades of a meadow whose detail is reduced widen at most so far.
 constexpr float kMostWidening = 4.0f;
@@ -64,8 +66,13 @@ std::vector<std::uint16_t> stripIndices(int rows, int columns) {
 bool samePlacement(const Project& a, const Project& b) {
   const auto ground = [](const Project& p) {
     const FieldSettings& f = *p.field;
-    return std::tie(f.centre, f.size, p.terrain->heights, p.surfaces);
+    return std::tie(f.centre, f.size, p.terrain->heights);
   };
+  const auto surface = [](const Surface& s) {
+    return std::tie(s.id, s.shape, s.position, s.lift, s.size, s.rotation, s.tilt, s.file, s.scale, s.density, s.height,
+                    s.width, s.stiffness, s.bothSides, s.hidden, s.mesh);
+  };
+  const auto sameSurface = [&](const Surface& s, const Surface& t) { return surface(s) == surface(t); };
   const auto grass = [](const Project& p) {
     const GrassSettings& g = *p.grass;
     return std::tie(g.density, g.seed, g.height, g.heightVariation, g.width, g.stiffness, g.stiffnessVariation,
@@ -75,7 +82,8 @@ bool samePlacement(const Project& a, const Project& b) {
     const BezierSettings& z = *p.bezier;
     return std::tie(z.most, z.tufts, z.tuftSpacing, z.tuftRadius, z.form, z.dandelions);
   };
-  return ground(a) == ground(b) && grass(a) == grass(b) && bezier(a) == bezier(b);
+  return ground(a) == ground(b) && grass(a) == grass(b) && bezier(a) == bezier(b) &&
+         (a.surfaces == b.surfaces || std::ranges::equal(*a.surfaces, *b.surfaces, sameSurface));
 }
 
 /// All blades at rest.
@@ -96,8 +104,10 @@ BezierBlock makeBlock(const Project& project, const BezierFrame& frame, std::uin
   const bool byDistance = frame.tests.distance && frame.thinning;
   BezierBlock block{};
   block.shape = {std::min(settings.tip, 0.99f), settings.fold, settings.widthLeast, settings.widthSpan};
-  block.cull = {settings.orientationLimit, settings.reach, static_cast<float>(settings.distanceLevels), BEZIER_THIN_PIXELS};
-  block.tests = {runs(frame.tests.orientation), runs(frame.tests.frustum), runs(byDistance), runs(frame.tests.occlusion)};
+  block.cull = {settings.orientationLimit, settings.reach, static_cast<float>(settings.distanceLevels),
+                BEZIER_THIN_PIXELS};
+  block.tests = {runs(frame.tests.orientation), runs(frame.tests.frustum), runs(byDistance),
+                 runs(frame.tests.occlusion)};
   block.patches = {static_cast<float>(patches), static_cast<float>(kept),
                    std::min(static_cast<float>(BEZIER_PATCH) / static_cast<float>(kept), kMostWidening),
                    frame.culling ? 1.0f : 0.0f};
@@ -106,7 +116,7 @@ BezierBlock makeBlock(const Project& project, const BezierFrame& frame, std::uin
                      : frame.view == GrassView::Culled   ? BEZIER_VIEW_CULLED
                      : frame.view == GrassView::Strength ? BEZIER_VIEW_STRENGTH
                                                          : BEZIER_VIEW_NORMAL;
-  block.view = {view, static_cast<float>(room), frame.quick ? 0.0f : static_cast<float>(kept) * BEZIER_FIRST_PART, 0.0f};
+  block.view = {view, static_cast<float>(room), frame.quick ? 0.0f : BEZIER_FIRST_PART, 0.0f};
   return block;
 }
 
@@ -130,7 +140,6 @@ Status fill(gpu::Buffer& buffer, std::string_view label, const std::vector<T>& v
 }
 
 Status reserve(gpu::Buffer& buffer, std::string_view label, std::size_t bytes) {
-  if (buffer.bytes() == bytes) return Done{};
   Result<gpu::Buffer> made = gpu::Buffer::create(label, bytes, gpu::BufferUse::Static);
   if (!made) return made.error();
   buffer = std::move(*made);
@@ -145,6 +154,14 @@ struct BezierGrass::Job {
     meadow = std::async(std::launch::async, [this] { return placeBezier(project, &cancelled); });
   }
   ~Job() { cancelled = true; }
+  /// Waits. Fails with Machine where there was no memory for the blades.
+  Result<BezierMeadow> take() {
+    try {
+      return meadow.get();
+    } catch (const std::exception& failure) {
+      return makeError(ErrorKind::Machine, std::string("the grass's blades can't be placed: ") + failure.what());
+    }
+  }
   Job(const Job&) = delete;
   Job& operator=(const Job&) = delete;
 
@@ -199,7 +216,8 @@ Status BezierGrass::makePrograms() {
 Status BezierGrass::makeStrips() {
   for (std::size_t list = 0; list < BEZIER_LISTS; ++list) {
     Strip& strip = m_strips[list];
-    if (Status made = fill(strip.indices, "bezier strips", stripIndices(kStrips[list].rows, kStrips[list].columns)); !made)
+    if (Status made = fill(strip.indices, "bezier strips", stripIndices(kStrips[list].rows, kStrips[list].columns));
+        !made)
       return made;
     strip.array = gpu::VertexArray::create("bezier");
     strip.array.indexBuffer(strip.indices);
@@ -216,27 +234,32 @@ Status BezierGrass::configure(const Project& project, Placement placement) {
   // One that was begun for other settings is still shown on the way, so that a slider shows what it does.
   const std::shared_ptr<Job> done = std::move(m_job);
   m_job = nullptr;
-  if (Status adopted = adopt(done->meadow.get()); !adopted) return adopted;
-  m_placed = done->project;
+  m_placed = done->project;  // even if it fails: it would fail again
   m_any = true;
+  if (Status adopted = adopt(done->take()); !adopted) return adopted;
   return samePlacement(project, m_placed) ? Status(Done{}) : configure(project, placement);
 }
 
-Status BezierGrass::adopt(const BezierMeadow& meadow) {
+Status BezierGrass::adopt(const Result<BezierMeadow>& placed) {
+  if (!placed) return placed.error();
+  const BezierMeadow& meadow = *placed;
   if (meadow.patches.empty()) {
     m_patchCount = 0;
     m_bladeCount = 0;
     ++m_generation;
     return Done{};
   }
-  gpu::Buffer blades, states, patches;
+  gpu::Buffer blades, states, patches, drawn, lists, seen;
   if (Status made = fill(blades, "bezier blades", meadow.blades); !made) return made;
   if (Status made = fill(states, "bezier states", statesAtRest(meadow)); !made) return made;
   if (Status made = fill(patches, "bezier patches", meadow.patches); !made) return made;
   const std::size_t room = std::min<std::size_t>(meadow.blades.size(), kMostDrawn);
-  if (Status made = reserve(m_drawn, "bezier drawn", room * sizeof(BezierDrawn)); !made) return made;
-  if (Status made = reserve(m_lists, "bezier lists", room * BEZIER_LISTS * sizeof(std::uint32_t)); !made) return made;
-  if (Status made = reserve(m_seen, "bezier seen", 3 * meadow.patches.size() * sizeof(std::uint32_t)); !made) return made;
+  if (Status made = reserve(drawn, "bezier drawn", room * sizeof(BezierDrawn)); !made) return made;
+  if (Status made = reserve(lists, "bezier lists", room * BEZIER_LISTS * sizeof(std::uint32_t)); !made) return made;
+  if (Status made = reserve(seen, "bezier seen", 3 * meadow.patches.size() * sizeof(std::uint32_t)); !made) return made;
+  m_drawn = std::move(drawn);
+  m_lists = std::move(lists);
+  m_seen = std::move(seen);
   m_blades = std::move(blades);
   m_states = std::move(states);
   m_patches = std::move(patches);
@@ -261,9 +284,9 @@ Status BezierGrass::bindSettings(const Project& project, const BezierFrame& fram
 void BezierGrass::findSeen() {
   if (m_patchCount == 0) return;
   const gpu::DebugGroup group("bezier: patches");
-  glCopyNamedBufferSubData(m_start.name(), m_commands.name(), 0, 0, sizeof(BezierCommands));
-  // The last frame's draws read commands and lists.
+  // The last frame counted in the commands, and its draws read them and the lists.
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+  glCopyNamedBufferSubData(m_start.name(), m_commands.name(), 0, 0, sizeof(BezierCommands));
   m_commands.bindStorage(RENDER_SSBO_BEZIER_COMMANDS);
   m_patches.bindStorage(RENDER_SSBO_BEZIER_PATCHES);
   m_seen.bindStorage(RENDER_SSBO_BEZIER_SEEN);
@@ -285,15 +308,19 @@ bool BezierGrass::reduceDepth(const gpu::Texture& depth) {
   const glm::ivec2 size(depth.size());
   const glm::ivec2 half = (size + 1) / 2;
   if (glm::ivec2(m_nearDepth.size()) != half || m_nearDepth.name() == 0) {
-    Result<gpu::Texture> made = gpu::Texture::create2D("bezier near depth", half, GL_R32F, {.filter = gpu::Filter::Nearest});
+    Result<gpu::Texture> made =
+        gpu::Texture::create2D("bezier near depth", half, GL_R32F, {.filter = gpu::Filter::Nearest});
     if (!made) return false;
     m_nearDepth = std::move(*made);
   }
   GLint samples = 0;
   glGetTextureLevelParameteriv(depth.name(), 0, GL_TEXTURE_SAMPLES, &samples);
-  const std::string define = samples > 0 ? "SAMPLES=" + std::to_string(samples) : "";
+  const std::string define = samples > 1 ? "SAMPLES=" + std::to_string(samples) : "";
   Result<gpu::Program*> reduce = m_shaders->load(grassProgram("grass/bezier depth"), define);
-  if (!reduce) return false;
+  if (!reduce) {
+    logError(reduce.error().text());
+    return false;
+  }
   (*reduce)->use();
   (*reduce)->set("size", size);
   depth.bind(RENDER_TEXTURE_MAP);
@@ -307,6 +334,8 @@ void BezierGrass::cull(Round round, const gpu::Texture& depth) {
   const gpu::DebugGroup group(round == Round::First ? "bezier: cull first" : "bezier: cull rest");
   m_commands.bindStorage(RENDER_SSBO_BEZIER_COMMANDS);
   if (round == Round::Rest) {
+    // The draws of the first round read what begins the second.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     m_nextRound->use();
     m_nextRound->dispatch(1);
     m_hides = reduceDepth(depth);
@@ -363,6 +392,7 @@ const BezierCounts& BezierGrass::counts() {
     m_counts.frustum = count(BEZIER_COUNT_FRUSTUM);
     m_counts.distance = count(BEZIER_COUNT_DISTANCE);
     m_counts.occlusion = count(BEZIER_COUNT_OCCLUSION);
+    m_counts.buried = count(BEZIER_COUNT_BURIED);
     m_counts.drawn = count(BEZIER_COUNT_DRAWN);
   }
   m_counts.blades = m_bladeCount;

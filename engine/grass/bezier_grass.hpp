@@ -1,12 +1,12 @@
 #pragma once
-// Grass of Bezier blades with a memory each, on the ground and on surfaces: Jahrmann & Wimmer, "Responsive real-time grass
-// rendering", 2017. Blades are placed on the processor beside the frame (bezier_placement.hpp), moved by BezierPhysics,
-// culled and drawn here.
+// Grass of Bezier blades with a memory each, on the ground and on surfaces: Jahrmann & Wimmer, "Responsive real-time
+// grass rendering", 2017. Blades are placed on the processor beside the frame (bezier_placement.hpp), moved by
+// BezierPhysics, culled and drawn here.
 //
-// Passes of a frame: bezier_patches and bezier_list list the patches in sight, near ones first. Large blades, and the highest
-// of the others, are culled (bezier_cull) and drawn first; what they hide, with the hills and solids before them, is left
-// out when the rest is culled and drawn: the paper's test against an earlier depth buffer, but against this frame's. No
-// result is waited for.
+// Passes of a frame: bezier_patches and bezier_list list the patches in sight, near ones first. Large blades, and the
+// highest of the others, are culled (bezier_cull) and drawn first; what they hide, with the hills and solids before
+// them, is left out when the rest is culled and drawn: the paper's test against an earlier depth buffer, but against
+// this frame's. No result is waited for.
 
 #include <array>
 #include <memory>
@@ -27,12 +27,12 @@ namespace windloom {
 
 /// How the Bezier grass of a frame is drawn; see FrameInput.
 struct BezierFrame {
-  float detail = 1.0f;      ///< part of the blades of each patch, 0..1
-  bool thinning = true;     ///< false: blades are neither thinned by distance nor by their size
-  bool culling = true;      ///< false: nothing is left out, not even what is out of sight
+  float detail = 1.0f;   ///< part of the blades of each patch, 0..1
+  bool thinning = true;  ///< false: blades are neither thinned by distance nor by their size
+  bool culling = true;   ///< false: nothing is left out, not even what is out of sight
   BezierCulling tests;
   GrassView view = GrassView::Normal;
-  bool quick = false;       ///< simpler light, for a software renderer
+  bool quick = false;  ///< simpler light, for a software renderer
 };
 
 /// Blades are placed in the background: whether a call waits for them.
@@ -43,8 +43,8 @@ class BezierGrass {
   /// Fails with Machine.
   static Result<BezierGrass> create(gpu::ShaderLibrary& shaders);
 
-  /// Takes over what blades grow on and how; costs nothing while that stays the same. With `Later` the blades of before are
-  /// kept until the new ones are placed. Fails with Machine where the GPU has no memory: the grass stays as it was.
+  /// Takes over what blades grow on and how; costs nothing while that stays the same. With `Later` the blades of before
+  /// are kept until the new ones are placed. Fails with Machine where the GPU has no memory: the grass stays as it was.
   Status configure(const Project& project, Placement placement);
   [[nodiscard]] bool placing() const { return m_job != nullptr; }
 
@@ -60,8 +60,8 @@ class BezierGrass {
 
   enum class Round { First, Rest };
   /// Tests the blades of a round and makes those that pass ready. Wind, noise, ground, solid and occluder textures,
-  /// colliders and maps must be bound (render_bindings.h). `Rest` is tested against `depth`, that of the target in which
-  /// the first round was drawn, multisampled or not.
+  /// colliders and maps must be bound (render_bindings.h). `Rest` is tested against `depth`, that of the target in
+  /// which the first round was drawn, multisampled or not.
   void cull(Round round, const gpu::Texture& depth);
   /// Draws what cull() found into the target of `state`.
   void draw(Round round, const gpu::PassState& state);
@@ -78,7 +78,7 @@ class BezierGrass {
     gpu::Program* plain = nullptr;
   };
   BezierGrass() = default;
-  Status adopt(const BezierMeadow& meadow);
+  Status adopt(const Result<BezierMeadow>& placed);
   Status makePrograms();
   Status makeStrips();
   bool reduceDepth(const gpu::Texture& depth);

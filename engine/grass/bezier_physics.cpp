@@ -61,7 +61,8 @@ void gather(std::vector<BezierMover>& movers) {
     const glm::ivec3 at(glm::floor(glm::vec3(mover.laterA) / kCellM));
     std::uint32_t code = 0;  // a Morton code that repeats every 512 m
     for (int bit = 0; bit < 10; ++bit) {
-      for (int axis = 0; axis < 3; ++axis) code |= (static_cast<std::uint32_t>(at[axis]) >> bit & 1u) << (3 * bit + axis);
+      for (int axis = 0; axis < 3; ++axis)
+        code |= (static_cast<std::uint32_t>(at[axis]) >> bit & 1u) << (3 * bit + axis);
     }
     return code;
   };

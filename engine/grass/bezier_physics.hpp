@@ -34,7 +34,7 @@ struct BezierStore {
   const gpu::Buffer* blades = nullptr;   ///< BezierBlade
   const gpu::Buffer* states = nullptr;   ///< BezierState, the physics' own to fill
   const gpu::Buffer* patches = nullptr;  ///< BezierPatch
-  const gpu::Buffer* seen = nullptr;     ///< uint for each patch, 1: seen this frame
+  const gpu::Buffer* seen = nullptr;     ///< begins with a uint for each patch: not 0 where it is seen this frame
   std::uint32_t patchCount = 0;
   std::uint32_t kept = 256;  ///< blades of each patch that are shown, the first ones
 };

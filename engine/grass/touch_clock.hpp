@@ -23,9 +23,9 @@ enum class RunUp {
 
 class TouchClock {
  public:
-  /// The way from the last call to `time` (s) in steps of about `stepSeconds`. The first call, a way back and a long way
-  /// ahead are jumps, and so is a full run-up after a quick one: they begin at rest before `time`, `memorySeconds` for a
-  /// full run-up.
+  /// The way from the last call to `time` (s) in steps of about `stepSeconds`. The first call, a way back and a long
+  /// way ahead are jumps, and so is a full run-up after a quick one: they begin at rest before `time`, `memorySeconds`
+  /// for a full run-up.
   TouchSteps advance(double time, double stepSeconds, RunUp runUp = RunUp::Full, double memorySeconds = kTouchMemoryS);
   [[nodiscard]] bool standsAt(double time) const { return m_time == time; }
   /// The next call is a jump.

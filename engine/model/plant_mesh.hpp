@@ -28,11 +28,11 @@ struct PlantMesh {
   std::string file;  ///< that it was read from, as the species or collider names it
   std::vector<PlantVertex> vertices;
   std::vector<std::uint32_t> indices;
-  glm::ivec2 textureSize{0};          ///< 0: none
-  std::vector<std::uint8_t> texture;  ///< RGBA, sRGB, rows from the top
-  float alphaCutoff = 0.5f;           ///< below it nothing is drawn
-  glm::vec3 low{0.0f}, high{0.0f};    ///< bounds, m
-  std::vector<glm::vec4> spheres;     ///< packed into it (colliders): centre and radius, m
+  glm::ivec2 textureSize{0};                ///< 0: none
+  std::vector<std::uint8_t> texture;        ///< RGBA, sRGB, rows from the top
+  float alphaCutoff = 0.5f;                 ///< below it nothing is drawn
+  glm::vec3 low{0.0f}, high{0.0f};          ///< bounds, m
+  std::vector<glm::vec4> spheres;           ///< packed into it (colliders): centre and radius, m
   std::size_t mostSpheres = kUsualSpheres;  ///< that it was packed with
 };
 

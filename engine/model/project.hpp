@@ -193,19 +193,19 @@ struct BezierSettings {
   float tuftRadius = 0.12f;  ///< m
   // Shape.
   BladeForm form = BladeForm::TriangleTip;
-  float tip = 0.5f;           ///< tau: where along the blade a pointed tip begins, 0..1; triangle-tip
-  float dandelions = 0.0f;    ///< part of the blades that are dandelions, 0..1
-  float fold = 0.5f;          ///< depth of the "v" cross-section over the paper's (eq. 23), 0..1
-  float widthLeast = 1.0f;    ///< pixels: w_min of eq. 24; narrower blades get the width of a quad
-  float widthSpan = 2.0f;     ///< pixels: w_span of eq. 24
+  float tip = 0.5f;         ///< tau: where along the blade a pointed tip begins, 0..1; triangle-tip
+  float dandelions = 0.0f;  ///< part of the blades that are dandelions, 0..1
+  float fold = 0.5f;        ///< depth of the "v" cross-section over the paper's (eq. 23), 0..1
+  float widthLeast = 1.0f;  ///< pixels: w_min of eq. 24; narrower blades get the width of a quad
+  float widthSpan = 2.0f;   ///< pixels: w_span of eq. 24
   // Forces.
-  float recovery = 4.0f;                     ///< 1/s: s of eq. 3 for stiffness 1
+  float recovery = 4.0f;                          ///< 1/s: s of eq. 3 for stiffness 1
   glm::vec3 gravityDirection{0.0f, -1.0f, 0.0f};  ///< D_xyz of eq. 4, any length but 0
-  float gravity = 1.5f;                      ///< m/s: D_w
-  glm::vec3 gravityCentre{0.0f};             ///< m in the world: C_xyz
-  float centreGravity = 1.5f;                ///< m/s: C_w
-  float centreBlend = 0.0f;                  ///< t: 0 along the direction, 1 towards the centre
-  float frontGravity = 0.25f;                ///< part of it that pulls to the front (eq. 5)
+  float gravity = 1.5f;                           ///< m/s: D_w
+  glm::vec3 gravityCentre{0.0f};                  ///< m in the world: C_xyz
+  float centreGravity = 1.5f;                     ///< m/s: C_w
+  float centreBlend = 0.0f;                       ///< t: 0 along the direction, 1 towards the centre
+  float frontGravity = 0.25f;                     ///< part of it that pulls to the front (eq. 5)
   BezierWind wind = BezierWind::Field;
   float windStrength = 0.3f;  ///< m/s of the tip for each m/s of wind
   float waveLength = 14.0f;   ///< m; waves
@@ -293,23 +293,24 @@ enum class SurfaceShape {
   Mesh,  ///< a glTF file
 };
 
-/// A thing with grass all over it, upside down as well. Only Bezier grass grows on it; wind and other grass don't feel it.
+/// A thing with grass all over it, upside down as well. Only Bezier grass grows on it; wind and other grass don't feel
+/// it.
 struct Surface {
   Id id = 0;
   std::string name;
   SurfaceShape shape = SurfaceShape::Sphere;
-  glm::vec2 position{0.0f, 0.0f};  ///< m: of its origin
-  float lift = 0.0f;               ///< m between its lowest point and the ground
-  float size = 4.0f;               ///< m: longest side of a built-in shape
-  float rotation = 0.0f;           ///< deg from +X towards +Z
-  float tilt = 0.0f;               ///< deg about its own x axis, before the rotation
-  std::string file;                ///< of a mesh: glTF below the project's folder
-  float scale = 1.0f;              ///< of the mesh
-  float density = 1500.0f;         ///< blades per m^2
-  float height = 0.15f;            ///< m
-  float width = 0.006f;            ///< m
-  float stiffness = 1.0f;          ///< as GrassSettings
-  bool bothSides = false;          ///< grows on the backs of the triangles, too
+  glm::vec2 position{0.0f, 0.0f};          ///< m: of its origin
+  float lift = 0.0f;                       ///< m between its lowest point and the ground
+  float size = 4.0f;                       ///< m: longest side of a built-in shape
+  float rotation = 0.0f;                   ///< deg from +X towards +Z
+  float tilt = 0.0f;                       ///< deg about its own x axis, before the rotation
+  std::string file;                        ///< of a mesh: glTF below the project's folder
+  float scale = 1.0f;                      ///< of the mesh
+  float density = 1500.0f;                 ///< blades per m^2
+  float height = 0.15f;                    ///< m
+  float width = 0.006f;                    ///< m
+  float stiffness = 1.0f;                  ///< as GrassSettings
+  bool bothSides = false;                  ///< grows on the backs of the triangles, too
   glm::vec3 colour{0.10f, 0.07f, 0.035f};  ///< between the blades, linear RGB
   bool hidden = false, locked = false;
   std::string extra;
@@ -319,8 +320,8 @@ struct Surface {
 };
 bool operator==(const Surface& a, const Surface& b);
 
-/// Air that a rotor above blows down and away from under it, in rings: wind that the flat field can't hold, since it has
-/// a source. All grass feels it; it is no part of the simulated field and of exports.
+/// Air that a rotor above blows down and away from under it, in rings: wind that the flat field can't hold, since it
+/// has a source. All grass feels it; it is no part of the simulated field and of exports.
 struct Rotor {
   Id id = 0;
   std::string name;

@@ -125,7 +125,6 @@ class FrameRendererImpl final : public FrameRenderer {
     bindFrame(input);
     m_timer.stage("occluders");
     updateOccluders(input);
-    m_timer.stage("grass physics");
     moveGrass(input);
     m_timer.stage("grass cull");
     m_parts.grass.prepare();
@@ -280,9 +279,11 @@ class FrameRendererImpl final : public FrameRenderer {
 
   void moveGrass(const FrameInput& input) {
     if (isBezier(*input.project)) {
+      m_timer.stage("grass cull patches");
       moveBezier(input);
       return;
     }
+    m_timer.stage("grass physics");
     const int most = m_software ? kMostVirtualBladesInSoftware : kMostVirtualBlades;
     if (accept(m_parts.dynamics.fitWind(*input.project->grass, input.wind.grid.resolution, most))) {
       m_parts.dynamics.advance(*input.project, input.time, quick(input) ? RunUp::Quick : RunUp::Full);
@@ -293,6 +294,7 @@ class FrameRendererImpl final : public FrameRenderer {
   void moveBezier(const FrameInput& input) {
     m_parts.dynamics.bind();  // for the plants
     m_parts.bezier.findSeen();
+    m_timer.stage("grass physics");
     const BezierStore store = m_parts.bezier.store();
     if (store.patchCount == 0) return;
     if (m_parts.bezier.generation() != m_bladesMoved) {

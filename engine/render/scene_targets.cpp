@@ -5,13 +5,15 @@ namespace windloom {
 Result<SceneTargets> SceneTargets::create(glm::ivec2 size, int samples) {
   SceneTargets targets;
   targets.m_samples = samples;
-  // 24 bits resolve what a float does, which has no more of them near 1; on an H200 they clear and draw 8 to 10% faster.
+  // 24 bits resolve what a float does, which has no more of them near 1; on an H200 they clear and draw 8 to 10%
+  // faster.
   const gpu::FramebufferOptions options{.colour = GL_RGBA8, .depth = GL_DEPTH_COMPONENT24, .samples = samples};
   Result<gpu::Framebuffer> scene = gpu::Framebuffer::create("scene", size, options);
   if (!scene) return scene.error();
   targets.m_scene = std::move(*scene);
   if (targets.m_scene.samples() == 1) return targets;
-  Result<gpu::Framebuffer> resolved = gpu::Framebuffer::create("scene resolved", size, {.colour = GL_RGBA8, .depth = 0});
+  Result<gpu::Framebuffer> resolved =
+      gpu::Framebuffer::create("scene resolved", size, {.colour = GL_RGBA8, .depth = 0});
   if (!resolved) return resolved.error();
   targets.m_resolved = std::move(*resolved);
   return targets;

@@ -45,9 +45,11 @@ void SurfacePass::draw(const gpu::PassState& state) const {
   gpu::apply(state);
   m_program->use();
   for (const Shown& surface : m_shown) {
+    const auto* mesh = m_meshes.find(surface.mesh);
+    if (mesh == nullptr) continue;  // the machine had no memory for it
     m_program->set("world", surface.world);
     m_program->set("surfaceColour", surface.colour);
-    m_meshes.find(surface.mesh)->draw();
+    mesh->draw();
   }
 }
 

@@ -102,6 +102,7 @@ class SessionImpl final : public Session {
   LiveGrid m_liveGrid = LiveGrid::Automatic;
   gpu::Texture m_windCopy;  // of the CPU backend's field
   long m_copiedStep = -1;
+  bool m_complete = true;  // as the last view: whether pictures wait for blades
   bool m_playing = false, m_uploadFailed = false;
   double m_owedSeconds = 0;  // of simulated time
   RecentMedian m_stepMs;
@@ -313,6 +314,7 @@ FrameInput SessionImpl::frameInput() {
   input.graph = &m_simulation->graph();
   input.wind = windTexture();
   input.time = m_simulation->time();
+  input.quality.complete = m_complete;
   return input;
 }
 
@@ -325,6 +327,7 @@ void SessionImpl::draw(const View& view) {
   input.overlays = view.overlays;
   input.highlight = view.highlight;
   input.quality = view.quality;
+  m_complete = view.quality.complete;
   input.grassView = view.grassView;
   input.bezierCulling = view.bezierCulling;
   m_status.frame = m_renderer->render(input);

@@ -33,12 +33,13 @@ float outlineAt(uint form, float u, float v, float width, float height) { return
 void main() {
   uint code = uint(gl_VertexID);
   uint at = commands.starts[LIST] + uint(gl_InstanceID) * BEZIER_CHUNK + (code >> 6u);
-  if (at >= min(commands.ends[LIST], uint(bezier.view.y))) {
+  uint record = at < min(commands.ends[LIST], uint(bezier.view.y)) ? lists[LIST * uint(bezier.view.y) + at] : BEZIER_NO_RECORD;
+  if (record == BEZIER_NO_RECORD) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);
     bladeColour = vec3(0.0);
     return;
   }
-  BezierDrawn blade = drawn[lists[LIST * uint(bezier.view.y) + at]];
+  BezierDrawn blade = drawn[record];
   int row = int(code & 63u) / COLUMNS;
   float u = float(int(code & 63u) % COLUMNS) / float(COLUMNS - 1);
   float v = along(row);
@@ -60,7 +61,7 @@ void main() {
   float t = mix(outlineAt(form, u, v, sizes.y, sizes.x), u, asQuad);
 #if ROWS == 2
   // The coarsest strip ends in a point; it covers what the form does.
-  if (form != BEZIER_FORM_QUAD) t = mix(0.5 + (u - 0.5) * 1.5 * (1.0 - v), t, asQuad);
+  if (form != BEZIER_FORM_QUAD) t = mix(0.5 + (u - 0.5) * 2.0 * bezierCover(form, bezier.shape.x) * (1.0 - v), u, asQuad);
 #endif
   vec3 place = spine + across * ((t - 0.5) * sizes.y);
 #if COLUMNS == 3
@@ -85,7 +86,7 @@ void main() {
   vec2 shade = unpackHalf2x16(blade.shade);
   vec3 colour = mapColour(root.xz);
 #ifdef DANDELION
-  colour = mix(colour, vec3(0.75, 0.73, 0.66) / max(grass.tipColour.rgb, vec3(0.02)), smoothstep(0.85, 0.93, v));
+  colour = dandelionColour(colour, v);
 #endif
   BladeLook look = BladeLook(0u, sizes.x, 2.0 * light.b * sizes.x, light.a, shade.x, shade.y, vec4(tint.r, light.r, tint.b, light.g), up, colour);
   vec3 lit = bladeLight(look, dot(spine, up), tangent, v, across, 2.0 * u - 1.0, directionToCamera(world), up);

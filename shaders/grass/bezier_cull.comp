@@ -26,7 +26,7 @@ layout(std430, binding = RENDER_SSBO_BEZIER_STATES) readonly buffer States { Bez
 layout(std430, binding = RENDER_SSBO_BEZIER_LIST) writeonly buffer Lists { uint lists[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_DRAWN) writeonly buffer Drawn { BezierDrawn drawn[]; };
 layout(binding = RENDER_TEXTURE_NEAR_DEPTH) uniform sampler2D nearDepth;
-uniform uint round;  // 0: the patches that are drawn first, 1: the others
+uniform uint round;  // 0: large blades and the first ones of other patches, 1: the rest
 uniform uint hides;  // 1: what is drawn already hides blades (nearDepth)
 
 shared uint groupCounts[8];
@@ -74,8 +74,8 @@ bool hiddenAt(vec3 place) {
   vec3 nearer = place + directionToCamera(place) * kHiddenBias;
   vec4 clip = frame.viewProjection * vec4(nearer, 1.0);
   vec2 uv = 0.5 + 0.5 * clip.xy / clip.w;
-  if (clip.w <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThan(uv, vec2(1.0)))) return true;
-  return 0.5 + 0.5 * clip.z / clip.w > textureLod(nearDepth, uv, 0.0).r;
+  if (clip.w <= 0.0 || any(lessThan(uv, vec2(0.0))) || any(greaterThanEqual(uv, vec2(1.0)))) return false;
+  return 0.5 + 0.5 * clip.z / clip.w > texelFetch(nearDepth, ivec2(uv * frame.viewport.xy) / 2, 0).r;
 }
 
 bool occluded(Standing s) {
@@ -84,11 +84,11 @@ bool occluded(Standing s) {
   vec3 high = max(max(s.root, s.root + s.curve.middle), tip);
   if (isOccluded(0.5 * (low + high), 0.5 * (high - low))) return true;
   if (hides == 0u) return false;
-  return hiddenAt(tip) && hiddenAt(s.root + s.middle) && hiddenAt(s.root + bezierPoint(s.curve, 0.8));
+  return hiddenAt(tip) && hiddenAt(s.root + bezierPoint(s.curve, 0.8)) && hiddenAt(s.root + s.middle) && hiddenAt(s.root);
 }
 
 // The first test that leaves the blade out, kDrawn: none. `width`: part of its width that it keeps, times its widening.
-uint testOf(Standing s, uint lane, out float width) {
+uint testOf(Standing s, float rank, out float width) {
   width = 1.0;
   if (bezier.tests.x > 0.5) {
     width = seenFromSide(s.across, -directionToCamera(s.root), bezier.cull.x);
@@ -98,7 +98,7 @@ uint testOf(Standing s, uint lane, out float width) {
   if (bezier.tests.z > 0.5) {
     float away = isOrthographic() ? 0.0 : distanceOverGround(s.root, s.up, frame.cameraPosition.xyz);
     float kept = keptAtDistance(away, bezier.cull.y, s.sizes.y * pixelsPerMetre(s.root), bezier.cull.w);
-    float grown = grownAtRank((float(lane) + 0.5) / bezier.patches.y, kept, bezier.cull.z);
+    float grown = grownAtRank(rank, kept, bezier.cull.z);
     if (grown <= 0.0) return BEZIER_COUNT_DISTANCE;
     width *= grown * keptWidening(kept, bezier.cull.z);
   }
@@ -163,17 +163,12 @@ BladeLook lookOf(BezierBlade blade, Standing s, bool onGround) {
   return found;
 }
 
-vec3 headColour(vec3 colour, uint form, float v) {
-  // A dandelion's seed head, over the blade's own colour.
-  return form == BEZIER_FORM_DANDELION ? mix(colour, vec3(0.75, 0.73, 0.66) / max(grass.tipColour.rgb, vec3(0.02)), smoothstep(0.85, 0.93, v)) : colour;
-}
-
 vec3 litAt(BladeLook look, Standing s, uint form, float v, vec3 eye) {
   vec3 a = s.curve.middle * v;
   vec3 b = mix(s.curve.middle, s.curve.tip, v);
   vec3 tangent = normalize(b - a + s.up * 1e-5);
   float rise = dot(mix(a, b, v), s.up);
-  look.colour = headColour(look.colour, form, v);
+  if (form == BEZIER_FORM_DANDELION) look.colour = dandelionColour(look.colour, v);
   return 0.5 * (bladeLight(look, rise, tangent, v, s.across, -0.7, eye, s.up) + bladeLight(look, rise, tangent, v, s.across, 0.7, eye, s.up));
 }
 
@@ -223,8 +218,9 @@ void main() {
   BezierPatch part = patches[patchIndex];
   bool onGround = part.reach.w < -0.5;
   uint index = patchIndex * BEZIER_PATCH + lane;
-  bool exists = lane < min(uint(part.centre.w), uint(bezier.patches.y));
-  bool first = seen[patchIndex] == BEZIER_SEEN_LARGE || lane < uint(bezier.view.z);
+  float shownOf = float(shownBlades(part));
+  bool exists = float(lane) < shownOf;
+  bool first = seen[patchIndex] == BEZIER_SEEN_LARGE || lane < uint(bezier.view.z * shownOf);
   exists = exists && first == (round == 0u);
   bool shown = false;
   BezierDrawn record;
@@ -234,7 +230,7 @@ void main() {
     BezierState state = states[index];
     Standing s = standingOf(blade, state);
     float width;
-    uint test = testOf(s, lane, width);
+    uint test = testOf(s, (float(lane) + 0.5) / shownOf, width);
     if (onGround && solidsNear(s.root.xz).distanceM < 0.02) test = BEZIER_COUNT_BURIED;
     atomicAdd(groupCounts[test], 1u);
     bool reveal = bezier.view.x == BEZIER_VIEW_CULLED && test != BEZIER_COUNT_BURIED;
@@ -257,8 +253,9 @@ void main() {
   }
   barrier();
   uint room = uint(bezier.view.y);
-  if (shown && recordStart + recordAt < room && listStarts[list] + listAt < room) {
-    drawn[recordStart + recordAt] = record;
-    lists[list * room + listStarts[list] + listAt] = recordStart + recordAt;
+  if (shown && listStarts[list] + listAt < room) {
+    bool fits = recordStart + recordAt < room;
+    if (fits) drawn[recordStart + recordAt] = record;
+    lists[list * room + listStarts[list] + listAt] = fits ? recordStart + recordAt : BEZIER_NO_RECORD;
   }
 }

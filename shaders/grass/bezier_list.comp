@@ -25,7 +25,7 @@ void main() {
   if (at >= uint(bezier.patches.x) || seen[at] == 0u) return;
   uint bucket = bucketOf(patches[at]);
   bool large = seen[at] == BEZIER_SEEN_LARGE;
-  if (large || bezier.view.z > 0.5) seen[patchesNear(firstOf[bucket] + atomicAdd(commands.taken[bucket], 1u))] = at;
+  if (large || bezier.view.z > 0.0) seen[patchesNear(firstOf[bucket] + atomicAdd(commands.taken[bucket], 1u))] = at;
   bucket += BEZIER_BUCKETS;
   if (!large) seen[patchesFar(firstOf[bucket] + atomicAdd(commands.taken[bucket], 1u))] = at;
 }

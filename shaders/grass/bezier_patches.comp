@@ -23,7 +23,7 @@ void main() {
   BezierPatch part = patches[at];
   vec3 centre = part.centre.xyz;
   vec3 reach = part.reach.xyz;
-  uint blades = min(uint(part.centre.w), uint(bezier.patches.y));
+  uint blades = shownBlades(part);
   bool inSight = bezier.patches.w < 0.5 || insideFrustum(centre, reach);
   bool hidden = inSight && bezier.tests.w > 0.5 && isOccluded(centre, reach);
   seen[at] = 0u;
@@ -34,11 +34,11 @@ void main() {
     atomicAdd(commands.counts[BEZIER_COUNT_OCCLUSION], blades);
     return;
   }
-  // The nearest place of the box decides: none of the large blades may be left for the second round.
+  // The nearest place of the box decides, and the mean height on the ground.
   vec3 nearest = clamp(frame.cameraPosition.xyz, centre - reach, centre + reach);
   bool large = isOrthographic() || grass.baseColour.w * pixelsPerMetre(nearest) > bezier.levels.w;
   seen[at] = large ? BEZIER_SEEN_LARGE : BEZIER_SEEN_SMALL;
   uint bucket = bucketOf(part);
-  if (large || bezier.view.z > 0.5) atomicAdd(commands.buckets[bucket], 1u);
+  if (large || bezier.view.z > 0.0) atomicAdd(commands.buckets[bucket], 1u);
   if (!large) atomicAdd(commands.buckets[BEZIER_BUCKETS + bucket], 1u);
 }

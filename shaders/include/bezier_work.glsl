@@ -8,6 +8,9 @@ layout(std430, binding = RENDER_SSBO_BEZIER_PATCHES) readonly buffer Patches { B
 // 0, or how each patch is seen; then the patches of the first round, then those of the second.
 layout(std430, binding = RENDER_SSBO_BEZIER_SEEN) buffer Seen { uint seen[]; };
 
+// Blades of a patch that are shown: its first ones.
+uint shownBlades(BezierPatch part) { return uint(ceil(part.centre.w * bezier.patches.y / float(BEZIER_PATCH))); }
+
 const uint BEZIER_SEEN_SMALL = 1u, BEZIER_SEEN_LARGE = 2u;
 
 // A step of the distance from the camera, four to each doubling.

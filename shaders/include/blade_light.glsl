@@ -17,6 +17,11 @@ struct BladeLook {
 float canopyOf(float share) { return grass.baseColour.w * min(share, 1.0); }
 float closedOf(float share) { return smoothstep(0.25, 0.7, share); }
 
+// Factor of a dandelion's colour: a pale seed head at its end.
+vec3 dandelionColour(vec3 colour, float v) {
+  return mix(colour, vec3(0.75, 0.73, 0.66) / max(grass.tipColour.rgb, vec3(0.02)), smoothstep(0.85, 0.93, v));
+}
+
 // Light of the picture at `s` along it; `rise` m over its root, `edge` in units of half its width, `up` where it grows to.
 vec3 bladeLight(BladeLook blade, float rise, vec3 tangent, float s, vec3 side, float edge, vec3 v, vec3 up) {
   vec3 n = normalize(cross(side, tangent));

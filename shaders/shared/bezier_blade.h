@@ -25,7 +25,7 @@ struct BezierBlade {
   uint sizes;   // half2: height m (0: no blade, fills up a patch), width m
   uint growth;  // low half: stiffness over the mean one; high unorm16: direction, of a turn (bezier_pose.h)
   uint look;    // unorm8: dryness, half the brightness, hue from -1..1; high 8 bits: BEZIER_FORM_*
-  uint seed;    // of what else differs between blades
+  uint seed;    // random, fills up to 32 bytes
 };
 
 /// What of a blade changes.

@@ -9,6 +9,8 @@ WL_SHARED_BEGIN
 #define BEZIER_DANDELION_LIST 4u
 // Blades that an instance draws.
 #define BEZIER_CHUNK 8u
+// In a list: a blade for which there was no room.
+#define BEZIER_NO_RECORD 0xffffffffu
 // Patches that a work-group of the patch culling looks at.
 #define BEZIER_CULL_GROUP 64u
 
@@ -37,7 +39,7 @@ struct BezierBlock {
   vec4 tests;    // 1 where the test runs: orientation, frustum, distance, occlusion
   vec4 patches;  // x patches; y blades of each that are shown; z widening for those that are not; w 1: only patches in sight
   vec4 levels;   // x, y, z blade heights in pixels from which lists 0, 1, 2 are drawn; w from which a patch is drawn first
-  vec4 view;     // x BEZIER_VIEW_*; y records that fit; z, w unused
+  vec4 view;     // x BEZIER_VIEW_*; y records that fit; z part of a patch with small blades that is drawn first; w unused
 };
 
 /// A blade ready to be drawn.
@@ -49,7 +51,7 @@ struct BezierDrawn {
   uint tip;     // half2: x, y of v2 - v0, m
   uint curve;   // half2: z of v2 - v0; v1 - v0 along up, m
   uint sizes;   // half2: height, width, m
-  uint growth;  // low 16 unused; high unorm16: direction, of a turn
+  uint growth;  // as BezierBlade
   uint look;    // as BezierBlade
   uint shade;   // half2: height of the shadow over the root, m; |F| of eq. 14
   uint light;   // unorm4: half the brightness with the slope's light; openness; half the height of the canopy around it over its own;

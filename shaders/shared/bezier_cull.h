@@ -35,8 +35,7 @@ WL_FUNCTION float seenFromSide(vec3 across, vec3 sight, float limit) {
   return 1.0f - smoothstep(limit - BEZIER_ORIENTATION_FADE, limit, abs(dot(across, sight)));
 }
 
-/// Eq. 18: whether a point lies in the clip volume widened by `tolerance` (m at the point, times pixels a metre over half
-/// the viewport are added by the caller).
+/// Eq. 18: whether a point lies in the clip volume widened by `tolerance`, in clip coordinates along x and y.
 WL_FUNCTION bool insideClip(vec4 clip, vec2 tolerance) {
   return abs(clip.x) <= clip.w + tolerance.x && abs(clip.y) <= clip.w + tolerance.y && clip.z >= -clip.w - tolerance.y &&
          clip.z <= clip.w;

@@ -26,6 +26,14 @@ WL_FUNCTION float bezierOutline(uint form, float u, float v, float tau) {
   return u;
 }
 
+/// Part of a quad that the outline covers.
+WL_FUNCTION float bezierCover(uint form, float tau) {
+  if (form == BEZIER_FORM_TRIANGLE) return 0.5f;
+  if (form == BEZIER_FORM_QUADRATIC) return 2.0f / 3.0f;
+  if (form == BEZIER_FORM_TRIANGLE_TIP) return 0.5f + 0.5f * tau;
+  return 1.0f;
+}
+
 /// The same of a dandelion: a stalk with a round head of `spikes` spikes a side. Rows at the multiples of 1 / (2 spikes) of
 /// the head meet every point and every notch, so a strip of so many rows loses none. `aspect`: height over width.
 WL_FUNCTION float dandelionOutline(float u, float v, float spikes, float aspect) {

@@ -40,12 +40,15 @@ TEST(BezierCull, KeepsThePartOfThePaper) {
     const float band = 1.0f / 8.0f;
     EXPECT_LE(static_cast<float>(full) / 1000.0f, kept + 1e-3f);
     EXPECT_GE(static_cast<float>(any) / 1000.0f, kept - 1e-3f);
-    EXPECT_NEAR(static_cast<float>(any - full) / 1000.0f, std::min(band, std::min(kept * (1.0f + band), std::max(1.0f - kept, 0.0f))), 0.02f);
+    EXPECT_NEAR(static_cast<float>(any - full) / 1000.0f,
+                std::min(band, std::min(kept * (1.0f + band), std::max(1.0f - kept, 0.0f))), 0.02f);
   }
 }
 
 TEST(BezierCull, NoBladePopsAsTheDistanceGrows) {
-  const auto width = [](float distance) { return grownAtRank(0.37f, keptAtDistance(distance, 80.0f, 100.0f, 0.5f), 8.0f); };
+  const auto width = [](float distance) {
+    return grownAtRank(0.37f, keptAtDistance(distance, 80.0f, 100.0f, 0.5f), 8.0f);
+  };
   float before = width(0.0f), largest = 0.0f;
   for (float distance = 0.1f; distance < 80.0f; distance += 0.1f) {
     largest = std::max(largest, std::abs(width(distance) - before));

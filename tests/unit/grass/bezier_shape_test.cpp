@@ -28,7 +28,8 @@ TEST(BezierShape, FollowsTheOutlinesOfThePaper) {
     EXPECT_NEAR(static_cast<double>(bezierOutline(BEZIER_FORM_QUADRATIC, u, v, 0.5f)), a - a * b * b, 1e-6);
     for (const double tau : {0.0, 0.3, 0.8}) {
       const double tip = 0.5 + (a - 0.5) * (1 - std::max(b - tau, 0.0) / (1 - tau));
-      EXPECT_NEAR(static_cast<double>(bezierOutline(BEZIER_FORM_TRIANGLE_TIP, u, v, static_cast<float>(tau))), tip, 1e-6);
+      EXPECT_NEAR(static_cast<double>(bezierOutline(BEZIER_FORM_TRIANGLE_TIP, u, v, static_cast<float>(tau))), tip,
+                  1e-6);
     }
   });
 }
@@ -70,6 +71,18 @@ TEST(BezierShape, DandelionsAreSymmetricAndStalksThin) {
       EXPECT_LE(std::abs(left - 0.5f), 0.5f * BEZIER_STALK + 1e-6f);
     }
   });
+}
+
+TEST(BezierShape, CoverIsTheAreaOfTheOutline) {
+  for (const unsigned form :
+       {BEZIER_FORM_QUAD, BEZIER_FORM_TRIANGLE, BEZIER_FORM_QUADRATIC, BEZIER_FORM_TRIANGLE_TIP}) {
+    double area = 0;
+    for (int k = 0; k < 1000; ++k) {
+      const float v = (static_cast<float>(k) + 0.5f) / 1000.0f;
+      area += static_cast<double>(bezierOutline(form, 1.0f, v, 0.3f) - bezierOutline(form, 0.0f, v, 0.3f)) / 1000.0;
+    }
+    EXPECT_NEAR(static_cast<double>(shared::bezierCover(form, 0.3f)), area, 1e-3) << form;
+  }
 }
 
 TEST(BezierShape, NarrowBladesBecomeQuadsAndWideOnesStayThemselves) {
