@@ -62,8 +62,9 @@ std::span<const Parameter<BezierSettings>> parametersOf<BezierSettings>() {
       real<&B::waveStrength>("wind/waveStrength", "Wave wind", "m/s", 0, 200, 0.1, "Wind at a wave's crest; waves."),
       real<&B::collisionStrength>("collision/strength", "Touch memory", "", 0, 100, 0.05,
                                   "How strongly blades remember what pressed them down: higher stay down longer."),
-      real<&B::collisionFade>("collision/fade", "Touch fading", "1/s", 0, 20, 0.01,
-                              "How fast that is forgotten: lower leaves a longer trail; with 0 it stays while time runs on."),
+      real<&B::collisionFade>(
+          "collision/fade", "Touch fading", "1/s", 0, 20, 0.01,
+          "How fast that is forgotten: lower leaves a longer trail; with 0 it stays while time runs on."),
       real<&B::orientationLimit>("culling/orientation", "Edge-on limit", "", 0, 1, 0.01,
                                  "Blades seen more edge-on than this are not drawn: 1 draws all."),
       real<&B::reach>("culling/reach", "Reach", "m", 1, 10000, 1, "Distance at which the last blade is left out."),
