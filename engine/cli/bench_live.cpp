@@ -72,12 +72,9 @@ struct Live {
   }
 };
 
-}  // namespace
-
-Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup) {
-  if (setup.context == nullptr) return std::vector<BenchRow>{};
+/// Plays the project, once to settle and once to count.
+Status addPlayed(const BenchSetup& setup, const Project& project, std::vector<BenchRow>& rows) {
   const bool quick = setup.size == BenchSize::Quick;
-  const Project project = findTemplate("meadow")->make();
   SessionOptions options;
   options.context = setup.context;
   options.shaders = setup.shaders;
@@ -91,12 +88,28 @@ Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup) {
   live.view.camera = viewThrough(project.cameras->front());
   live.view.size = target->size();
   live.view.framebuffer = target->name();
-  std::vector<BenchRow> rows;
   const double seconds = quick ? 0.5 : 10.0;
   for (const char* name : {"settling", "settled"}) {
     Stretch stretch;
     for (double spent = 0; spent < seconds; spent += live.lastMs * 1e-3) live.frame(stretch);
-    rows.push_back(rowOf(name, stretch, live.quality.detail(), (*session)->status()));
+    BenchRow row = {{"grass", project.grass->kind == GrassKind::Bezier ? "bezier" : "instanced"}};
+    row.update(rowOf(name, stretch, live.quality.detail(), (*session)->status()));
+    rows.push_back(std::move(row));
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup) {
+  std::vector<BenchRow> rows;
+  if (setup.context == nullptr) return rows;
+  for (const GrassKind kind : {GrassKind::Instanced, GrassKind::Bezier}) {
+    Project project = findTemplate("meadow")->make();
+    GrassSettings grass = *project.grass;
+    grass.kind = kind;
+    project.grass = std::make_shared<GrassSettings>(grass);
+    if (Status added = addPlayed(setup, project, rows); !added) return added.error();
   }
   return rows;
 }

@@ -192,9 +192,9 @@ Result<BezierGrass> BezierGrass::create(gpu::ShaderLibrary& shaders) {
 }
 
 Status BezierGrass::makePrograms() {
+  if (Status loaded = m_cull.load(*m_shaders, "grass/bezier cull"); !loaded) return loaded;
   const std::pair<std::string_view, gpu::Program**> programs[] = {{"grass/bezier patches", &m_patchCull},
                                                                   {"grass/bezier list", &m_patchList},
-                                                                  {"grass/bezier cull", &m_cull},
                                                                   {"grass/bezier next round", &m_nextRound}};
   for (const auto& [name, slot] : programs) {
     Result<gpu::Program*> program = m_shaders->load(grassProgram(name));
@@ -349,12 +349,13 @@ void BezierGrass::cull(Round round, const gpu::Texture& depth) {
   m_seen.bindStorage(RENDER_SSBO_BEZIER_SEEN);
   m_lists.bindStorage(RENDER_SSBO_BEZIER_LIST);
   m_drawn.bindStorage(RENDER_SSBO_BEZIER_DRAWN);
-  m_cull->use();
-  m_cull->set("hides", round == Round::Rest && m_hides ? 1u : 0u);
-  m_cull->set("round", round == Round::First ? 0u : 1u);
+  const gpu::Program& program = m_cull.forBlades(m_kept);
+  program.use();
+  program.set("hides", round == Round::Rest && m_hides ? 1u : 0u);
+  program.set("round", round == Round::First ? 0u : 1u);
   const std::size_t groups =
       round == Round::First ? offsetof(BezierCommands, groupsNear) : offsetof(BezierCommands, groupsFar);
-  m_cull->dispatchIndirect(m_commands, groups);
+  program.dispatchIndirect(m_commands, groups);
 }
 
 void BezierGrass::draw(Round round, const gpu::PassState& state) {

@@ -18,6 +18,7 @@
 #include "engine/gpu/shader_library.hpp"
 #include "engine/gpu/texture.hpp"
 #include "engine/gpu/vertex_array.hpp"
+#include "engine/grass/bezier_lanes.hpp"
 #include "engine/grass/bezier_physics.hpp"
 #include "engine/grass/bezier_placement.hpp"
 #include "engine/grass/bezier_view.hpp"
@@ -86,7 +87,8 @@ class BezierGrass {
   std::shared_ptr<Job> m_job;  // being placed; null: none
   Project m_placed;            // what the blades in the store grow on
   bool m_any = false;          // there was one
-  gpu::Program *m_patchCull = nullptr, *m_patchList = nullptr, *m_cull = nullptr, *m_nextRound = nullptr;
+  gpu::Program *m_patchCull = nullptr, *m_patchList = nullptr, *m_nextRound = nullptr;
+  BezierLanes m_cull;
   gpu::ShaderLibrary* m_shaders = nullptr;
   std::array<Strip, BEZIER_LISTS> m_strips;
   gpu::Buffer m_settings, m_blades, m_states, m_patches, m_seen, m_lists, m_drawn, m_commands, m_start;

@@ -136,13 +136,9 @@ Result<BezierPhysics> BezierPhysics::create(gpu::ShaderLibrary& shaders) {
   BezierPhysics physics;
   Result<gpu::Program*> wake = shaders.load(grassProgram("grass/bezier wake"));
   if (!wake) return wake.error();
-  Result<gpu::Program*> step = shaders.load(grassProgram("grass/bezier step"));
-  if (!step) return step.error();
+  if (Status loaded = physics.m_step.load(shaders, "grass/bezier step"); !loaded) return loaded.error();
+  if (Status loaded = physics.m_stepTouched.load(shaders, "grass/bezier step touched"); !loaded) return loaded.error();
   physics.m_wake = *wake;
-  physics.m_step = *step;
-  Result<gpu::Program*> touched = shaders.load(grassProgram("grass/bezier step touched"));
-  if (!touched) return touched.error();
-  physics.m_stepTouched = *touched;
   Result<Buffer> block = Buffer::create("bezier physics", sizeof(BezierPhysicsBlock), gpu::BufferUse::Dynamic);
   if (!block) return block.error();
   Result<Buffer> commands = Buffer::create("bezier physics commands", sizeof kNoGroups, gpu::BufferUse::Dynamic);
@@ -223,16 +219,18 @@ void BezierPhysics::step(const BezierStore& store, const Step& step, std::span<c
   glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
   store.blades->bindStorage(RENDER_SSBO_BEZIER_BLADES);
   store.states->bindStorage(RENDER_SSBO_BEZIER_STATES);
-  for (const gpu::Program* program : {m_step, m_stepTouched}) {
+  const gpu::Program& quiet = m_step.forBlades(store.kept);
+  const gpu::Program& touched = m_stepTouched.forBlades(store.kept);
+  for (const gpu::Program* program : {&quiet, &touched}) {
     program->set("kept", store.kept);
     program->set("stepSeconds", step.seconds);
   }
-  m_step->dispatchIndirect(m_commands, 0);
+  quiet.dispatchIndirect(m_commands, 0);
   if (movers.empty()) return;
-  m_stepTouched->set("patchCount", store.patchCount);
-  m_stepTouched->set("moverCount", moverCount);
-  m_stepTouched->set("touchParts", bezierTouchParts(movers, step.seconds));
-  m_stepTouched->dispatchIndirect(m_commands, kTouchedGroups);
+  touched.set("patchCount", store.patchCount);
+  touched.set("moverCount", moverCount);
+  touched.set("touchParts", bezierTouchParts(movers, step.seconds));
+  touched.dispatchIndirect(m_commands, kTouchedGroups);
 }
 
 bool BezierPhysics::edited(const Project& project) {

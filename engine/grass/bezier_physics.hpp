@@ -17,6 +17,7 @@
 #include "engine/core/result.hpp"
 #include "engine/gpu/buffer.hpp"
 #include "engine/gpu/shader_library.hpp"
+#include "engine/grass/bezier_lanes.hpp"
 #include "engine/grass/touch_clock.hpp"
 #include "engine/model/project.hpp"
 #include "shaders/shared/bezier_physics.h"
@@ -82,7 +83,8 @@ class BezierPhysics {
   std::span<const BezierMover> upload(std::span<const BezierMover> movers);
   bool edited(const Project& project);
 
-  gpu::Program *m_wake = nullptr, *m_step = nullptr, *m_stepTouched = nullptr;
+  gpu::Program* m_wake = nullptr;
+  BezierLanes m_step, m_stepTouched;
   gpu::Buffer m_block, m_clocks, m_list, m_commands, m_movers;
   TouchClock m_clock;
   Project m_project;  // of the last call

@@ -14,12 +14,13 @@
 #include "shaders/include/grass_tiles.glsl"
 #include "shaders/include/colliders.glsl"
 #include "shaders/include/blade_light.glsl"
+#include "shaders/include/bezier_lanes.glsl"
 #include "shaders/include/bezier_work.glsl"
 #include "shaders/shared/bezier_cull.h"
 #include "shaders/shared/bezier_pose.h"
 #include "shaders/shared/hash.h"
 
-layout(local_size_x = BEZIER_PATCH) in;
+layout(local_size_x = LANES) in;
 layout(std430, binding = RENDER_SSBO_BEZIER_BLADES) readonly buffer Blades { BezierBlade blades[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_STATES) readonly buffer States { BezierState states[]; };
 // Places of records, a run for each list.

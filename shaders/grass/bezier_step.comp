@@ -6,9 +6,9 @@
 #include "shaders/include/ground.glsl"
 #include "shaders/include/wind_field.glsl"
 #include "shaders/include/bezier_wind.glsl"
-#include "shaders/shared/bezier_blade.h"
+#include "shaders/include/bezier_lanes.glsl"
 
-layout(local_size_x = BEZIER_PATCH) in;
+layout(local_size_x = LANES) in;
 // A BezierBlade in two reads.
 layout(std430, binding = RENDER_SSBO_BEZIER_BLADES) readonly buffer Blades { uvec4 halfBlades[]; };
 layout(std430, binding = RENDER_SSBO_BEZIER_STATES) buffer States { BezierState states[]; };
@@ -57,11 +57,11 @@ const uint kWords = BEZIER_RUN * BEZIER_RUNS / 32u;
 shared uint nearby[kWords];
 
 void listNearby(BezierPatch at) {
-  for (uint word = gl_LocalInvocationIndex; word < kWords; word += BEZIER_PATCH) nearby[word] = 0u;
+  for (uint word = gl_LocalInvocationIndex; word < kWords; word += LANES) nearby[word] = 0u;
   barrier();
   vec3 low = at.centre.xyz - at.reach.xyz;
   vec3 high = at.centre.xyz + at.reach.xyz;
-  for (uint i = gl_LocalInvocationIndex; i < moverCount; i += BEZIER_PATCH) {
+  for (uint i = gl_LocalInvocationIndex; i < moverCount; i += LANES) {
     BezierMover mover = movers[i];
     vec3 from = min(min(mover.a.xyz, mover.b.xyz), min(mover.laterA.xyz, mover.laterB.xyz)) - mover.a.w;
     vec3 to = max(max(mover.a.xyz, mover.b.xyz), max(mover.laterA.xyz, mover.laterB.xyz)) + mover.a.w;

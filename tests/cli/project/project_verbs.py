@@ -212,7 +212,11 @@ class Verbs(unittest.TestCase):
         self.expect(DONE, "validate", path)
         info = json.loads(self.expect(DONE, "info", path, "--json").stdout)
         self.assertEqual((info["counts"]["surfaces"], info["counts"]["rotors"]), (2, 1))
-        self.assertEqual(info["counts"]["blades"], 20000, "no more than the most")
+        bare = self.folder / "bare.wind.json"
+        bare.write_text(path.read_text(encoding="utf-8").replace('"name": "band"', '"name": "band", "hidden": true'), encoding="utf-8")
+        blades = json.loads(self.expect(DONE, "info", bare, "--json").stdout)["counts"]["blades"]
+        self.assertEqual(blades, 20000 + 750, "no more than the most on the ground, and 1500 per m^2 on half a m^2")
+        self.assertGreater(info["counts"]["blades"], blades + 10000, "the band's")
         self.assertEqual(info["grass"], "bezier")
         self.assertEqual([s["shape"] for s in info["surfaces"]], ["moebius", "mesh"])
         self.assertEqual(info["surfaces"][1]["triangles"], 1)
