@@ -93,6 +93,14 @@ bool movesIn(const std::vector<Record>& before, const std::vector<Record>& after
                      [](const Record& a, const Record& b) { return a.id == b.id; });
 }
 
+template <class Record>
+AddResult added(const char* label, const Project& project, Record record) {
+  AddResult result{named(label), nextFreeId(project)};
+  record.id = result.id;
+  result.edit.steps.emplace_back(Put<Record>{std::move(record)});
+  return result;
+}
+
 }  // namespace
 
 std::vector<Id> movableIds(const Project& project, std::span<const Id> ids) {
@@ -230,10 +238,7 @@ Edit renameEdit(const Project& project, Id id, std::string name) {
 }
 
 AddResult addObstacleEdit(const Project& project, Obstacle obstacle) {
-  AddResult result{named("Add obstacle"), nextFreeId(project)};
-  obstacle.id = result.id;
-  result.edit.steps.emplace_back(Put<Obstacle>{std::move(obstacle)});
-  return result;
+  return added("Add obstacle", project, std::move(obstacle));
 }
 
 Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before) {
@@ -252,38 +257,23 @@ Edit reorderEdit(const Project& project, std::span<const Id> ids, Id before) {
 }
 
 AddResult addSpeciesEdit(const Project& project, Species species) {
-  AddResult result{named("Add species"), nextFreeId(project)};
-  species.id = result.id;
-  result.edit.steps.emplace_back(Put<Species>{std::move(species)});
-  return result;
+  return added("Add species", project, std::move(species));
 }
 
 AddResult addColliderEdit(const Project& project, Collider collider) {
-  AddResult result{named("Add collider"), nextFreeId(project)};
-  collider.id = result.id;
-  result.edit.steps.emplace_back(Put<Collider>{std::move(collider)});
-  return result;
+  return added("Add collider", project, std::move(collider));
 }
 
 AddResult addSurfaceEdit(const Project& project, Surface surface) {
-  AddResult result{named("Add surface"), nextFreeId(project)};
-  surface.id = result.id;
-  result.edit.steps.emplace_back(Put<Surface>{std::move(surface)});
-  return result;
+  return added("Add surface", project, std::move(surface));
 }
 
 AddResult addRotorEdit(const Project& project, Rotor rotor) {
-  AddResult result{named("Add rotor"), nextFreeId(project)};
-  rotor.id = result.id;
-  result.edit.steps.emplace_back(Put<Rotor>{std::move(rotor)});
-  return result;
+  return added("Add rotor", project, std::move(rotor));
 }
 
 AddResult addProbeEdit(const Project& project, Probe probe) {
-  AddResult result{named("Add probe"), nextFreeId(project)};
-  probe.id = result.id;
-  result.edit.steps.emplace_back(Put<Probe>{std::move(probe)});
-  return result;
+  return added("Add probe", project, std::move(probe));
 }
 
 Edit deleteEdit(const Project& project, std::span<const Id> ids) {

@@ -3,10 +3,8 @@
 #include <cmath>
 
 #include "editor/core/axis_lock.hpp"
-#include "editor/core/grips.hpp"
-#include "editor/core/number_entry.hpp"
 #include "editor/core/refusal.hpp"
-#include "editor/core/snapping.hpp"
+#include "editor/core/shape_drag.hpp"
 #include "engine/core/text.hpp"
 #include "engine/model/outline.hpp"
 
@@ -25,37 +23,26 @@ void moveSide(Obstacle& obstacle, int index, float length) {
   obstacle.size[axis] = length;
 }
 
-class OutlineDrag : public Drag {
+class OutlineDrag : public ShapeDrag {
  public:
-  explicit OutlineDrag(const Grip& grip) : m_grip(grip), m_place(grip.place) {}
+  using ShapeDrag::ShapeDrag;
 
-  std::optional<Edit> update(ToolContext& context, const PointerEvent& pointer) override {
-    m_pixel = pointer.pixel;
-    m_held = pointer.modifiers;
-    if (const auto place = context.groundAt(pointer.pixel)) m_place = *place;
-    return make(context);
+  bool onKey(ToolContext& context, const KeyPress& press) override {
+    const bool enter = press.key == Key::Enter || press.key == Key::NumpadEnter;
+    if (m_grip.kind == GripKind::Corner && !enter) return toggleLock(m_lock, press);
+    return ShapeDrag::onKey(context, press);
   }
-  std::optional<Edit> end(ToolContext& context) override { return make(context); }
-  bool onKey(ToolContext&, const KeyPress& press) override {
-    if (press.key == Key::Enter || press.key == Key::NumpadEnter) {
-      m_finished = true;
-      return true;
-    }
-    if (m_grip.kind == GripKind::Corner) return toggleLock(m_lock, press);
-    return m_number.onKey(press);
-  }
-  [[nodiscard]] bool finished() const override { return m_finished; }
   void shapes(const ToolContext& context, PreviewShapes& shapes) const override {
     addLockLine(shapes, context.ground, m_lock, m_grip.place);
-    shapes.labels.push_back({m_pixel + glm::vec2(16.0f, 16.0f), m_number.empty() ? m_text : m_number.text()});
+    ShapeDrag::shapes(context, shapes);
   }
-  [[nodiscard]] std::string hint(const ToolContext&) const override {
+  [[nodiscard]] std::string hint(const ToolContext& context) const override {
     if (m_grip.kind == GripKind::Corner) return "X or Z locks the axis, Ctrl snaps to the grid, Esc cancels";
-    return "Type a value + Enter, Ctrl snaps, Esc cancels";
+    return ShapeDrag::hint(context);
   }
 
  private:
-  std::optional<Edit> make(const ToolContext& context) {
+  std::optional<Edit> make(const ToolContext& context) override {
     const Obstacle* before = findObstacle(context.document.committed(), m_grip.object);
     const bool corner = m_grip.kind == GripKind::Corner;
     if (!before || (corner && m_grip.index >= static_cast<int>(before->points.size()))) return std::nullopt;
@@ -105,13 +92,7 @@ class OutlineDrag : public Drag {
     }
   }
 
-  Grip m_grip;
-  glm::vec2 m_place, m_pixel{0.0f};
-  Modifiers m_held;
   AxisLock m_lock = AxisLock::None;
-  NumberEntry m_number;
-  std::string m_text;
-  bool m_finished = false;
 };
 
 float toSide(glm::vec2 place, glm::vec2 a, glm::vec2 b, float& part) {

@@ -2,9 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "editor/core/grips.hpp"
-#include "editor/core/number_entry.hpp"
-#include "editor/core/snapping.hpp"
+#include "editor/core/shape_drag.hpp"
 #include "editor/core/surface_shape.hpp"
 #include "engine/core/text.hpp"
 
@@ -14,48 +12,6 @@ namespace {
 std::string metres(float value) {
   return fixed(static_cast<double>(value), 2) + " m";
 }
-
-/// The part of both drags that follows the pointer.
-class ShapeDrag : public Drag {
- public:
-  explicit ShapeDrag(const Grip& grip) : m_grip(grip), m_place(grip.place) {}
-
-  std::optional<Edit> update(ToolContext& context, const PointerEvent& pointer) override {
-    m_pixel = pointer.pixel;
-    m_held = pointer.modifiers;
-    if (const auto place = context.groundAt(pointer.pixel)) m_place = *place;
-    return make(context);
-  }
-  std::optional<Edit> end(ToolContext& context) override { return make(context); }
-  bool onKey(ToolContext&, const KeyPress& press) override {
-    if (press.key == Key::Enter || press.key == Key::NumpadEnter) {
-      m_finished = true;
-      return true;
-    }
-    return m_number.onKey(press);
-  }
-  [[nodiscard]] bool finished() const override { return m_finished; }
-  void shapes(const ToolContext&, PreviewShapes& shapes) const override {
-    shapes.labels.push_back({m_pixel + glm::vec2(16.0f, 16.0f), m_number.empty() ? m_text : m_number.text()});
-  }
-  [[nodiscard]] std::string hint(const ToolContext&) const override {
-    return "Type a value + Enter, Ctrl snaps, Esc cancels";
-  }
-
- protected:
-  virtual std::optional<Edit> make(const ToolContext& context) = 0;
-  /// From the middle of the thing to the pointer, snapped, m.
-  [[nodiscard]] float distance(const ToolContext& context) const {
-    return glm::distance(snapToGrid(context.settings.snap, m_place, m_held), m_grip.pivot);
-  }
-
-  Grip m_grip;
-  glm::vec2 m_place, m_pixel{0.0f};
-  Modifiers m_held;
-  NumberEntry m_number;
-  std::string m_text;
-  bool m_finished = false;
-};
 
 class SurfaceDrag : public ShapeDrag {
  public:

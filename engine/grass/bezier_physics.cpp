@@ -267,8 +267,4 @@ void BezierPhysics::advance(const Project& project, const BezierStore& store, do
   }
 }
 
-std::size_t BezierPhysics::memoryBytes() const {
-  return m_block.bytes() + m_clocks.bytes() + m_list.bytes() + m_commands.bytes() + m_movers.bytes();
-}
-
 }  // namespace windloom

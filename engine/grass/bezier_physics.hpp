@@ -70,8 +70,6 @@ class BezierPhysics {
   /// As a jump in time, with the next call: where the wind at the same time is another one.
   void forget() { m_clock.forget(); }
 
-  [[nodiscard]] std::size_t memoryBytes() const;
-
  private:
   BezierPhysics() = default;
   struct Step {

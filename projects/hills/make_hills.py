@@ -51,14 +51,14 @@ def write_png(path, samples):
     path.write_bytes(b"\x89PNG\r\n\x1a\n" + chunk(b"IHDR", header) + chunk(b"IDAT", zlib.compress(rows, 9)) + chunk(b"IEND", b""))
 
 
-def main():
-    target = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "terrain" / "hills.png"
-    made = heights()
-    if made.min() < 0 or made.max() > HEIGHT:
-        raise SystemExit(f"heights from {made.min():.2f} to {made.max():.2f} m leave 0 to {HEIGHT} m")
-    write_png(target, numpy.round(made / HEIGHT * 65535))
+def write_ground(made, height, folder):
+    """To the file that the command line names, else to terrain/hills.png of the folder; white is `height` m."""
+    target = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(folder) / "terrain" / "hills.png"
+    if made.min() < 0 or made.max() > height:
+        raise SystemExit(f"heights from {made.min():.2f} to {made.max():.2f} m leave 0 to {height} m")
+    write_png(target, numpy.round(made / height * 65535))
     print(f"{target}: {made.min():.2f} to {made.max():.2f} m")
 
 
 if __name__ == "__main__":
-    main()
+    write_ground(heights(), HEIGHT, pathlib.Path(__file__).parent)

@@ -8,7 +8,7 @@ import sys
 import numpy
 
 sys.path.insert(0, str(pathlib.Path(__file__).parent.parent / "hills"))
-from make_hills import smooth_noise, write_png  # noqa: E402
+from make_hills import smooth_noise, write_ground  # noqa: E402
 
 SIDE = 129     # pixels, one for each metre of 128 m
 EXTENT = 128.0  # m
@@ -24,14 +24,5 @@ def heights():
     return hills - 2.2 * numpy.exp(-away ** 2) + 5.0 * numpy.clip((away - 1.1) / 1.4, 0, 1) ** 2
 
 
-def main():
-    target = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else pathlib.Path(__file__).parent / "terrain" / "hills.png"
-    made = heights()
-    if made.min() < 0 or made.max() > HEIGHT:
-        raise SystemExit(f"heights from {made.min():.2f} to {made.max():.2f} m leave 0 to {HEIGHT} m")
-    write_png(target, numpy.round(made / HEIGHT * 65535))
-    print(f"{target}: {made.min():.2f} to {made.max():.2f} m")
-
-
 if __name__ == "__main__":
-    main()
+    write_ground(heights(), HEIGHT, pathlib.Path(__file__).parent)
