@@ -41,10 +41,10 @@ struct Set {
   T part;
 };
 
-using EditStep =
-    std::variant<Put<Point>, Put<Arrow>, Put<Signal>, Put<Obstacle>, Put<Species>, Put<Collider>, Put<Surface>,
-                 Put<Rotor>, Put<Probe>, Put<Camera>, Erase, Reorder, EraseSignal, SetName, Set<FieldSettings>,
-                 Set<SolverSettings>, Set<AmbientWind>, Set<TerrainSettings>, Set<GrassSettings>, Set<BezierSettings>>;
+using EditStep = std::variant<Put<Point>, Put<Arrow>, Put<Signal>, Put<Obstacle>, Put<Species>, Put<Collider>,
+                              Put<Surface>, Put<Rotor>, Put<Probe>, Put<Camera>, Erase, Reorder, EraseSignal, SetName,
+                              Set<FieldSettings>, Set<SolverSettings>, Set<AmbientWind>, Set<TerrainSettings>,
+                              Set<GrassSettings>, Set<BezierSettings>, Set<ShellSettings>>;
 
 struct Edit {
   std::string label;            ///< for the history: "Move point"

@@ -14,7 +14,7 @@ constexpr std::array<Names, 2> kDrives{"speed", "force"};
 constexpr std::array<Names, 2> kWheres{"along", "end"};
 constexpr std::array<Names, 4> kSignalKinds{"constant", "pulse", "gusts", "curve"};
 constexpr std::array<Names, 3> kObstacleShapes{"circle", "box", "polygon"};
-constexpr std::array<Names, 3> kGrassKinds{"instanced", "bezier", "none"};
+constexpr std::array<Names, 4> kGrassKinds{"instanced", "bezier", "shell", "none"};
 constexpr std::array<Names, 3> kTerrainKinds{"flat", "heightmap", "mesh"};
 constexpr std::array<Names, 3> kDeformations{"arc", "quadratic", "inertial"};
 constexpr std::array<Names, 5> kPlantShapes{"blade", "daisy", "poppy", "spike", "mesh"};

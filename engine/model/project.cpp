@@ -32,7 +32,7 @@ bool operator==(const Surface& a, const Surface& b) {
 bool Project::sameAs(const Project& other) const {
   return name == other.name && field == other.field && solver == other.solver && ambient == other.ambient &&
          graph == other.graph && obstacles == other.obstacles && terrain == other.terrain && grass == other.grass &&
-         bezier == other.bezier && species == other.species && colliders == other.colliders &&
+         bezier == other.bezier && shell == other.shell && species == other.species && colliders == other.colliders &&
          surfaces == other.surfaces && rotors == other.rotors && probes == other.probes && cameras == other.cameras &&
          extra == other.extra;
 }

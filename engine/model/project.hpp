@@ -123,6 +123,7 @@ struct TerrainSettings {
 enum class GrassKind {
   Instanced,
   Bezier,  ///< blades with a memory each, on ground and surfaces (BezierSettings)
+  Shell,   ///< layers with cuts through blades, on ground and surfaces (ShellSettings)
   None,    ///< bare ground, to see the wind alone
 };
 enum class Deformation {
@@ -221,6 +222,52 @@ struct BezierSettings {
   std::string extra;
 };
 
+enum class ShellMethod {
+  Filled,  ///< each shell also shows what lies between it and the next below, so that a few do; placed where it matters
+  Plain,   ///< the paper's: evenly spaced, each only cuts through the blades, drawn from the ground up
+};
+enum class ShellWind {
+  Field,   ///< the simulated wind
+  Source,  ///< swings away from and towards a place, ring after ring, the paper's
+  Both,
+};
+enum class ShellSampling {
+  Vertex,  ///< wind at the corners of the shells' triangles
+  Texel,   ///< at every pixel, too: finer gusts, dearer
+};
+
+/// What shell grass has beside GrassSettings, whose density, measures, stiffness, colours, slopes and maps hold for it
+/// as well (Bakay, Lalonde & Heidrich, "Real-time animated grass", 2002; reference/shell-grass).
+struct ShellSettings {
+  int shells = 8;  ///< over the ground, near the camera; Filled draws fewer of them farther away. 1..128
+  ShellMethod method = ShellMethod::Filled;
+  // Texture: cuts through blades, repeated over the ground.
+  float tile = 4.0f;  ///< m: side of its square on the ground; on surfaces in proportion to the height of their blades
+  int texels = 1024;  ///< a side, made a power of two: 64..1024
+  float fullness = 8.0f;     ///< blades for each one that the density asks for, since upright ones cover less
+  float thickness = 0.4f;    ///< of a blade's cut over its width, 0.05..1
+  float taper = 0.6f;        ///< how much of a blade narrows: 0 is as thick at its top as at its root, 1 is a cone
+  float heightCurve = 1.5f;  ///< p: height = 1 - (1 - alpha)^p of the tallest; above 1 is finer at the upper end
+  std::string texture;       ///< picture to take instead, below the project's folder: height in alpha; empty: none
+  // Wind.
+  float stiffnessCurve =
+      1.0f;               ///< p: at part x of a blade it leans by x^p of what its tip does: < 1 bends low, > 1 high
+  float overBend = 1.0f;  ///< intensity at most: 1 lays the tip level, more bends it down to the ground, up to 2
+  float lean = 0.15f;     ///< by how much clumps lean in still air, 0..1
+  ShellWind wind = ShellWind::Field;
+  float windStrength = 1.0f;  ///< over what GrassSettings::windFactor gives
+  ShellSampling sampling = ShellSampling::Vertex;
+  glm::vec2 source{0.0f, 0.0f};  ///< m: where the paper's wind comes from
+  float sourceStrength = 0.6f;   ///< intensity at its crest, 0..2
+  float sourcePeriod = 3.0f;     ///< s
+  float sourceStep = 1.0f;       ///< m: width of the rings around it that swing alike ("animation steps")
+  float sourceDelay = 0.12f;     ///< s that each ring swings later than the one inside it
+  std::string extra;
+
+  /// The picture; null where there is none. Never saved: engine/io reads it (loadAssets).
+  std::shared_ptr<const GrassMap> pixels;
+};
+
 enum class PlantShape {
   Blade,  ///< as the meadow's own, with its own measures and colours
   Daisy,  ///< a stem with a white flower
@@ -293,8 +340,8 @@ enum class SurfaceShape {
   Mesh,  ///< a glTF file
 };
 
-/// A thing with grass all over it, upside down as well. Only Bezier grass grows on it; wind and other grass don't feel
-/// it.
+/// A thing with grass all over it, upside down as well: Bezier and shell grass grow on it; wind and other grass don't
+/// feel it.
 struct Surface {
   Id id = 0;
   std::string name;
@@ -360,6 +407,7 @@ struct Project {
   Shared<TerrainSettings> terrain = std::make_shared<TerrainSettings>();
   Shared<GrassSettings> grass = std::make_shared<GrassSettings>();
   Shared<BezierSettings> bezier = std::make_shared<BezierSettings>();
+  Shared<ShellSettings> shell = std::make_shared<ShellSettings>();
   Shared<std::vector<Species>> species = std::make_shared<std::vector<Species>>();
   Shared<std::vector<Collider>> colliders = std::make_shared<std::vector<Collider>>();
   Shared<std::vector<Surface>> surfaces = std::make_shared<std::vector<Surface>>();

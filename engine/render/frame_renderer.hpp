@@ -10,6 +10,7 @@
 #include "engine/core/grid_mapping.hpp"
 #include "engine/core/result.hpp"
 #include "engine/grass/bezier_view.hpp"
+#include "engine/grass/shell_view.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/project.hpp"
 #include "engine/render/overlay_settings.hpp"
@@ -64,6 +65,7 @@ struct FrameStats {
   long long bladesTotal = 0;  ///< that the project asks for
   long long bladesDrawn = 0;  ///< of a recent finished frame
   BezierCounts bezier;        ///< all 0 with other grass
+  ShellCounts shell;          ///< all 0 with other grass
   bool complete = true;       ///< false: grass is still being placed beside the frame
   double gpuMs = 0;           ///< of a recent finished frame; 0 until known
   std::vector<std::pair<std::string, double>> passMs;
