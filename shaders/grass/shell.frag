@@ -31,7 +31,7 @@ in ShellVertex {
   vec3 push;
   vec3 size;
   vec4 light;
-  vec2 shade;
+  vec4 shade;
 } v;
 flat in vec3 heights;
 
@@ -76,6 +76,7 @@ struct Walk {
   vec2 from, along;      // squares of the texture
   float high, low;       // heights at its upper and its lower end, 0..1
   bool down;             // it begins at the upper end
+  vec2 lean;             // of blades in still air at the tip, squares of the texture
 };
 
 #ifdef SURFACE
@@ -86,7 +87,7 @@ vec2 onTexture(vec3 own, vec3 facing) {
 }
 #endif
 
-Walk walkOf(Slab at, vec3 ray) {
+Walk walkOf(Slab at, vec3 ray, vec2 clump) {
   vec3 n = normalize(v.normal);
   float facing = dot(ray, n);
   Walk walk;
@@ -102,6 +103,7 @@ Walk walkOf(Slab at, vec3 ray) {
   walk.from = at.own.xz * shell.size.y;
   walk.along = along.xz * shell.size.y;
 #endif
+  walk.lean = clump * (v.size.x * shell.size.y);
   walk.high = walk.down ? heights.y : heights.z;
   walk.low = walk.down ? heights.x : heights.y;
   return walk;
@@ -117,14 +119,21 @@ struct Hit {
   vec2 place;    // in it
 };
 
+const float kSharpness = 5.0;
+// Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
+const float kBlur = 0.5;
+// Size of the noise that blades in still air lean by.
+const float kClumpLeanM = 4.0;
+
 // Part of a pixel that a texel covers which is `code` high, cut at `cut`: an edge is about a pixel wide, however large texels are.
 float covered(float code, float cut, float sharpness) { return clamp((code - cut) * sharpness + 0.5, 0.0, 1.0) * step(0.004, code); }
 
 #ifdef SLICES
 Hit walked(Walk walk, float level, float grown) {
-  vec4 form = textureLod(shellForm, walk.from, level);
-  float a = covered(form.r, codeOf(heights.y), max(exp2(-level), 1.0) * 8.0) * step(form.b, grown);
-  return Hit(a, heights.y, form, walk.from);
+  vec2 place = walk.from - walk.lean * (heights.y * heights.y);
+  vec4 form = textureLod(shellForm, place, level);
+  float a = covered(form.r, codeOf(heights.y), max(exp2(-level), 1.0) * kSharpness) * step(form.b, grown);
+  return Hit(a, heights.y, form, place);
 }
 #else
 Hit walked(Walk walk, float level, float grown) {
@@ -134,15 +143,15 @@ Hit walked(Walk walk, float level, float grown) {
   int steps = int(clamp(ceil(wanted), 1.0, shell.look.x));
   // Where the way is too long for so many steps they cover larger texels.
   level = max(level, log2(max(texels / (float(steps) * shell.table.w), 1e-3)));
-  float sharpness = max(exp2(-level), 1.0) * 8.0;
-  Hit hit = Hit(0.0, 0.0, vec4(0.0), vec2(0.0));
+  float sharpness = max(exp2(-level), 1.0) * kSharpness;
+  Hit hit = Hit(0.0, 0.0, vec4(0.5), walk.from);
   float best = 0.0;
   float clear = 1.0;
   for (int i = 0; i < steps; ++i) {
     float begin = float(i) / float(steps), end = float(i + 1) / float(steps);
-    vec2 place = walk.from + walk.along * (0.5 * (begin + end));
     float high = walk.down ? mix(walk.high, walk.low, begin) : mix(walk.low, walk.high, end);
     float low = walk.down ? mix(walk.high, walk.low, end) : mix(walk.low, walk.high, begin);
+    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - walk.lean * (0.25 * (high + low) * (high + low));
     vec4 form = textureLod(shellForm, place, level);
     float a = covered(form.r, codeOf(low), sharpness) * step(form.b, grown) * clear;
     hit.height += a * clamp(heightOf(form.r), low, high);
@@ -160,7 +169,7 @@ Hit walked(Walk walk, float level, float grown) {
 }
 #endif
 
-vec3 litHit(Hit hit, Slab slab, float level, vec3 eye) {
+vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
   vec4 texel = textureLod(shellColour, hit.place, level);
   float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
   vec3 upper = texel.rgb;
@@ -174,6 +183,7 @@ vec3 litHit(Hit hit, Slab slab, float level, vec3 eye) {
   float lean = pow(hit.height, shell.rings.w) * SHELL_HALF_PI * intensity;
   vec3 up = normalize(v.up);
   vec3 stem = up * cos(lean) + slab.bend * (sin(lean) / max(intensity, 1e-4));
+  stem = normalize(stem + 2.0 * hit.height * alongSurface(vec3(clump.x, 0.0, clump.y), up));
   float canopy = grass.baseColour.w * v.size.z;
 #ifdef SURFACE
   canopy *= surface.x;
@@ -187,32 +197,49 @@ vec3 litHit(Hit hit, Slab slab, float level, vec3 eye) {
   return lightCanopy(albedo, stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
 }
 
+// The canopy where its blades can't be told apart: as the ground far away has it, so that no seam shows.
+vec3 litAfar(Hit hit, Slab slab, vec3 eye) {
+  float sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
+  vec3 light = meadowColour(slab.root.xz, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(v.shade.y, 1.0, 0.5);
+#ifndef SURFACE
+  light *= mapColour(slab.root.xz);
+#endif
+  return light * v.light.z / max(meadowPatch(slab.root.xz).y, 0.1) * (0.75 + 0.5 * hit.form.a);
+}
+
 void main() {
   vec3 eye = directionToCamera(v.place);
   float perMetre = pixelsPerMetre(v.place);
 #ifdef SURFACE
-  float level = log2(shell.size.z / (surface.x * perMetre));
-#else
-  float level = log2(shell.size.z / perMetre);
+  perMetre *= surface.x;
 #endif
-  level = min(level, shell.size.w);
+  float level = min(log2(shell.size.z / perMetre) + kBlur, shell.size.w);
   Slab slab = slabHere();
-  Walk walk = walkOf(slab, -eye);
+  vec2 clump = (noiseAtLevel(slab.own.xz, kClumpLeanM, log2(256.0 / (kClumpLeanM * perMetre))).rg - 0.5) * (8.0 * shell.bend.z);
+  Walk walk = walkOf(slab, -eye, clump);
   if (walk.high <= walk.low) discard;
   Hit hit = walked(walk, level, v.light.x);
+  // Blades narrower than a pixel: more and more the canopy as a whole is seen.
+  float afar = smoothstep(1.2, 0.3, grass.size.x * perMetre);
+#ifndef SLICES
+  hit.cover = mix(hit.cover, v.light.x, afar);
+#endif
   // Grass too low to be seen is left to the ground.
   hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, v.size.x * perMetre) : 1.0;
 #ifdef ONE_SAMPLE
   if (hit.cover < 0.5) discard;
 #else
   float samples = shell.look.z;
-  // Which samples: other ones for each shell, so that what two half cover is not the same half.
-  uint mixed = uint(gl_FragCoord.x) * 5u + uint(gl_FragCoord.y) * 3u + uint(heights.y * shell.table.x) * 7u;
-  int count = int(hit.cover * samples + float(mixed * 2654435769u >> 8u) / 16777216.0);
+  int count = int(hit.cover * samples + 0.5);
   if (count <= 0) discard;
-  uint turn = mixed % uint(samples);
+  // Other samples for each shell, so that what two half cover is not the same half.
+  uint turn = (uint(heights.y * shell.table.x + 0.5) * 5u >> 1u) % uint(samples);
   uint bits = (1u << uint(count)) - 1u;
   gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
 #endif
-  writeScene(throughAir(litHit(hit, slab, level, eye), v.place));
+  vec3 light = litHit(hit, slab, clump, level, eye);
+#ifndef SURFACE
+  light = mix(light, litAfar(hit, slab, eye), afar);
+#endif
+  writeScene(throughAir(light, v.place));
 }

@@ -37,7 +37,7 @@ out ShellVertex {
   vec3 push;         // part of it that colliders give
   vec3 size;         // x tallest blade m; y height of this shell over its root m; z height of the canopy over that of the open meadow
   vec4 light;        // x part of the blades that grow; y dryness; z brightness with the slope's light and colliders'; w |F| of eq. 14
-  vec2 shade;        // x m over the root that solids and hills hide from the sun; y openness
+  vec4 shade;        // x m over the root that solids and hills hide from the sun; y openness; zw wind, m/s
 } v;
 flat out vec3 heights;  // of the shell below, this one, the one above, 0..1
 
@@ -86,14 +86,15 @@ void main() {
   float grown = surface.z;
   vec2 broad = vec2(0.0, 1.0);
   float sunwards = dot(v.normal, frame.sunDirection.xyz);
-  v.shade = vec2(mix(2.0, -2.0, smoothstep(-0.12, 0.2, sunwards)) * height, 0.6 + 0.4 * v.normal.y);
+  v.shade.xy = vec2(mix(2.0, -2.0, smoothstep(-0.12, 0.2, sunwards)) * height, 0.6 + 0.4 * v.normal.y);
   float shaded = colliderShadeOnSurface(v.root + 0.5 * height * v.up);
   float share = 1.0;
 #else
   const float softness = 1.0;
   vec2 place = latticePlace(instance, instance.side / float(quads));
   v.root = vec3(place.x, groundHeight(place), place.y);
-  v.own = v.root;
+  // Wandering a little, so that the texture's repeats don't line up.
+  v.own = v.root + 3.0 * (noiseAtLevel(place, 61.0, 1.0).rbg - 0.5);
   GroundLight ground = groundLight(place, 0.0);
   v.normal = ground.normal;
   v.up = normalize(mix(vec3(0.0, 1.0, 0.0), v.normal, grass.ground.x));
@@ -105,7 +106,7 @@ void main() {
   float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0);
   vec2 broad = meadowPatch(place);
   SolidsNear solids = solidsNear(place);
-  v.shade = vec2(max(solids.shadowHeight, softened(ground.shadowHeight)), openness(solids.distanceM));
+  v.shade.xy = vec2(max(solids.shadowHeight, softened(ground.shadowHeight)), openness(solids.distanceM));
   float shaded = colliderShade(v.root + vec3(0.0, 0.5 * height, 0.0));
 #endif
   v.bend = shellBend(v.root, v.up, softness);
@@ -119,7 +120,8 @@ void main() {
   v.place = v.root + own;
   v.size = vec3(height, dot(own, v.up), share);
   float sunlit = smoothstep(-0.15, 0.15, 0.3 * height - v.shade.x);
-  v.light = vec4(grown, broad.x, broad.y * slopeLight(v.normal, sunlit) * shaded, shadeForce(length(smoothWind(v.root.xz))));
+  v.shade.zw = smoothWind(v.root.xz);
+  v.light = vec4(grown, broad.x, broad.y * slopeLight(v.normal, sunlit) * shaded, shadeForce(length(v.shade.zw)));
   heights = vec3(float(lower), float(end), float(upper)) / shell.table.x;
   gl_Position = frame.viewProjection * vec4(v.place, 1.0);
 }

@@ -5,8 +5,6 @@
 layout(std140, binding = RENDER_UBO_SHELL) uniform ShellUniforms { ShellBlock shell; };
 layout(binding = RENDER_TEXTURE_SHELL_OFFSETS) uniform sampler2D shellOffsets;
 
-const float kLeanM = 1.7;  // size of the clumps that lean alike, about
-
 vec3 alongSurface(vec3 v, vec3 up) { return v - up * dot(up, v); }
 
 vec3 boundedBend(vec3 bend) { return bend * min(1.0, shell.bend.y / max(length(bend), 1e-5)); }
@@ -24,8 +22,6 @@ vec3 shellBend(vec3 root, vec3 up, float softness) {
     vec3 away = alongSurface(vec3(from.x, 0.0, from.y), up);
     bend += away * (shellSourceIntensity(length(from), frame.viewForward.w, shell.source.z, shell.source.w, shell.rings.x, shell.rings.y) / max(length(away), 1e-4));
   }
-  vec2 clump = noiseAtLevel(root.xz + root.y, kLeanM * 4.0, 0.0).rg - 0.5;
-  bend += alongSurface(vec3(clump.x, 0.0, clump.y), up) * (3.0 * shell.bend.z);
   return boundedBend(bend);
 }
 
