@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -53,6 +54,14 @@ Result<ViewCamera> cameraOf(const Options& options, const Project& project) {
   return usage("--camera: found '" + options.camera + "', expected one of " + names);
 }
 
+Json shellCountsJson(const ShellCounts& counts) {
+  return {{"nearShells", counts.nearShells},
+          {"tiles", counts.tiles},
+          {"layers", counts.layers},
+          {"skippedLayers", counts.skippedLayers},
+          {"error", jsonNumber(counts.error)}};
+}
+
 /// The project as it is to be shown: other resolution or density where asked for.
 Result<Project> projectOf(const Options& options) {
   Result<Project> project = loadWithWarnings(options.file);
@@ -70,6 +79,7 @@ Result<Project> projectOf(const Options& options) {
   if (options.grass == "none") grass.kind = GrassKind::None;
   if (options.grass == "instanced") grass.kind = GrassKind::Instanced;
   if (options.grass == "bezier") grass.kind = GrassKind::Bezier;
+  if (options.grass == "shell") grass.kind = GrassKind::Shell;
   if (options.deformation == "arc") grass.deformation = Deformation::Arc;
   if (options.deformation == "quadratic") grass.deformation = Deformation::Quadratic;
   if (options.deformation == "inertial") grass.deformation = Deformation::Inertial;
@@ -139,7 +149,7 @@ Result<Studio> openStudio(const Options& options, const Project& project, glm::i
   return studio;
 }
 
-void report(const Options& options, const Studio& studio, const std::vector<std::string>& images, bool bezier) {
+void report(const Options& options, const Studio& studio, const std::vector<std::string>& images, GrassKind kind) {
   const SessionStatus& status = studio.session->status();
   if (!options.json) {
     for (const std::string& image : images) std::printf("%s\n", image.c_str());
@@ -153,7 +163,8 @@ void report(const Options& options, const Studio& studio, const std::vector<std:
                {"resolution", {status.liveResolution.x, status.liveResolution.y}},
                {"renderer", studio.context->info().renderer},
                {"blades", status.frame.bladesTotal}};
-  if (bezier) told["bezier"] = bezierCountsJson(status.frame.bezier);
+  if (kind == GrassKind::Bezier) told["bezier"] = bezierCountsJson(status.frame.bezier);
+  if (kind == GrassKind::Shell) told["shell"] = shellCountsJson(status.frame.shell);
   printJson(told);
 }
 
@@ -171,8 +182,10 @@ Session::View viewOf(const Options& options, const ViewCamera& camera, const Ove
 }
 
 int render(const Options& options) {
-  if (!options.grass.empty() && options.grass != "instanced" && options.grass != "bezier" && options.grass != "none") {
-    return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier or none"), options);
+  const auto kinds = {"instanced", "bezier", "shell", "none"};
+  if (!options.grass.empty() && std::ranges::find(kinds, options.grass) == kinds.end()) {
+    return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier, shell or none"),
+                       options);
   }
   const auto size = parsePair(options.size, kMaxSide);
   if (!size) return reportError(pairExpected("--size", options.size, kMaxSide, "pixels"), options);
@@ -197,10 +210,10 @@ int render(const Options& options) {
     if (const Status saved = savePicture(studio->target, path); !saved) return reportError(saved.error(), options);
     images.push_back(path.string());
   }
-  const bool bezier = project->grass->kind == GrassKind::Bezier;
+  const GrassKind kind = project->grass->kind;
   // Counts come with a later frame.
-  if (options.json && bezier) studio->session->draw(view);
-  report(options, *studio, images, bezier);
+  if (options.json && (kind == GrassKind::Bezier || kind == GrassKind::Shell)) studio->session->draw(view);
+  report(options, *studio, images, kind);
   return kExitDone;
 }
 
@@ -228,7 +241,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->delimiter(',');
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, bezier, none")
+  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, bezier, shell, none")
       ->type_name("KIND");
   app.add_option("--deformation", options->deformation,
                  "How blades bend instead of the project's: arc, quadratic, inertial")

@@ -95,6 +95,7 @@ std::vector<std::string> assetFiles(const Project& project) {
   add(project.terrain->file);
   for (const std::string& map : {project.grass->densityMap, project.grass->heightMap, project.grass->colourMap})
     add(map);
+  add(project.shell->texture);
   for (const Species& species : *project.species) add(species.file);
   for (const Collider& collider : *project.colliders) add(collider.file);
   for (const Surface& surface : *project.surfaces) add(surface.file);

@@ -12,6 +12,8 @@ namespace windloom {
 namespace fs = std::filesystem;
 namespace {
 
+enum class MapUse { Field, Blades };
+
 /// Reads each file once and keeps what went wrong.
 class Loader {
  public:
@@ -20,8 +22,8 @@ class Loader {
   void know(MeshUse use, const std::shared_ptr<const PlantMesh>& mesh) {
     if (mesh) m_meshes[{use, mesh->file}] = mesh;
   }
-  void know(const std::shared_ptr<const GrassMap>& map) {
-    if (map) m_maps[map->file] = map;
+  void know(MapUse use, const std::shared_ptr<const GrassMap>& map) {
+    if (map) m_maps[{use, map->file}] = map;
   }
 
   /// True where `mesh` was changed.
@@ -38,12 +40,13 @@ class Loader {
     return true;
   }
 
-  bool fill(std::shared_ptr<const GrassMap>& map, const std::string& file, const std::string& pointer) {
+  bool fill(std::shared_ptr<const GrassMap>& map, const std::string& file, MapUse use, const std::string& pointer) {
     if (file.empty()) return std::exchange(map, nullptr) != nullptr;
     if (map && map->file == file) return false;
-    auto& known = m_maps[file];
+    auto& known = m_maps[{use, file}];
     if (!known) {
-      Result<std::shared_ptr<GrassMap>> read = readGrassMap(pathOf(file));
+      Result<std::shared_ptr<GrassMap>> read =
+          use == MapUse::Blades ? readShellPicture(pathOf(file)) : readGrassMap(pathOf(file));
       if (!read) return note(read.error(), pointer);
       (*read)->file = file;
       known = *read;
@@ -68,7 +71,7 @@ class Loader {
 
   fs::path m_projectFile;
   std::map<std::pair<MeshUse, std::string>, std::shared_ptr<const PlantMesh>> m_meshes;
-  std::map<std::string, std::shared_ptr<const GrassMap>> m_maps;
+  std::map<std::pair<MapUse, std::string>, std::shared_ptr<const GrassMap>> m_maps;
   std::vector<Problem> m_problems;
 };
 
@@ -118,11 +121,17 @@ void fillSurfaces(Project& project, Loader& loader) {
 
 void fillMaps(Project& project, Loader& loader) {
   GrassSettings grass = *project.grass;
-  for (const auto& map : {grass.densityPixels, grass.heightPixels, grass.colourPixels}) loader.know(map);
-  bool changed = loader.fill(grass.densityPixels, grass.densityMap, "/grass/maps/density");
-  changed |= loader.fill(grass.heightPixels, grass.heightMap, "/grass/maps/height");
-  changed |= loader.fill(grass.colourPixels, grass.colourMap, "/grass/maps/colour");
+  for (const auto& map : {grass.densityPixels, grass.heightPixels, grass.colourPixels}) loader.know(MapUse::Field, map);
+  bool changed = loader.fill(grass.densityPixels, grass.densityMap, MapUse::Field, "/grass/maps/density");
+  changed |= loader.fill(grass.heightPixels, grass.heightMap, MapUse::Field, "/grass/maps/height");
+  changed |= loader.fill(grass.colourPixels, grass.colourMap, MapUse::Field, "/grass/maps/colour");
   if (changed) project.grass = std::make_shared<GrassSettings>(std::move(grass));
+}
+
+void fillShell(Project& project, Loader& loader) {
+  ShellSettings shell = *project.shell;
+  if (loader.fill(shell.pixels, shell.texture, MapUse::Blades, "/shell/texture/file"))
+    project.shell = std::make_shared<ShellSettings>(std::move(shell));
 }
 
 std::uint8_t meanByte(double sum, int count) {
@@ -155,12 +164,31 @@ Result<std::shared_ptr<GrassMap>> readGrassMap(const fs::path& file) {
   return map;
 }
 
+Result<std::shared_ptr<GrassMap>> readShellPicture(const fs::path& file) {
+  Result<std::shared_ptr<GrassMap>> picture = readGrassMap(file);
+  if (!picture) return picture;
+  int least = 255, most = 0;
+  for (std::size_t alpha = 3; alpha < (*picture)->pixels.size(); alpha += 4) {
+    least = std::min<int>(least, (*picture)->pixels[alpha]);
+    most = std::max<int>(most, (*picture)->pixels[alpha]);
+  }
+  const char* expected = ": expected the height of the blades in alpha, 0 where there is bare ground";
+  if (most == 0)
+    return makeError(ErrorKind::BadInput, file.string(), {}, std::string("holds no blade, its alpha is 0") + expected);
+  if (least == 255) {
+    return makeError(ErrorKind::BadInput, file.string(), {},
+                     std::string("has no transparency, so that nothing would be cut out") + expected);
+  }
+  return picture;
+}
+
 Status loadAssets(Project& project, const fs::path& projectFile) {
   Loader loader(projectFile);
   fillSpecies(project, loader);
   fillColliders(project, loader);
   fillSurfaces(project, loader);
   fillMaps(project, loader);
+  fillShell(project, loader);
   return loader.finish();
 }
 

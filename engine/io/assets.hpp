@@ -15,7 +15,12 @@ namespace windloom {
 /// damaged or no PNG.
 Result<std::shared_ptr<GrassMap>> readGrassMap(const std::filesystem::path& file);
 
-/// Fills in Species::mesh, Collider::mesh, Surface::mesh and the pixels of GrassSettings of a project of this file.
+/// The same for ShellSettings::texture: blades seen from above, their height in alpha. Fails as well where alpha is 0
+/// everywhere (no blade) or nowhere below 1 (nothing would be cut out, as with a picture that has no alpha at all).
+Result<std::shared_ptr<GrassMap>> readShellPicture(const std::filesystem::path& file);
+
+/// Fills in Species::mesh, Collider::mesh, Surface::mesh and the pixels of GrassSettings and ShellSettings of a project
+/// of this file.
 /// What is loaded already under the same name is shared, not read again. Fails with BadInput, one problem for each file
 /// that couldn't be read, at its place ("/species/2/file"); that mesh or map then stays as it was and all others are
 /// filled in.

@@ -60,6 +60,8 @@ class Reader {
         readPart(project.grass, value, place);
       } else if (key == "bezier") {
         readPart(project.bezier, value, place);
+      } else if (key == "shell") {
+        readPart(project.shell, value, place);
       } else if (key == "species") {
         project.species = std::make_shared<std::vector<Species>>(readList<Species>(value, place, kMaxSpecies));
       } else if (key == "colliders") {

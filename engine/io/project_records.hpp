@@ -10,9 +10,9 @@
 namespace windloom {
 
 /// Top-level keys in the order of the file.
-inline constexpr std::array<std::string_view, 17> kProjectKeys{
-    "format", "version", "name",    "field",     "solver",   "ambient", "graph",  "obstacles", "terrain",
-    "grass",  "bezier",  "species", "colliders", "surfaces", "rotors",  "probes", "cameras"};
+inline constexpr std::array<std::string_view, 18> kProjectKeys{
+    "format", "version", "name",  "field",   "solver",    "ambient",  "graph",  "obstacles", "terrain",
+    "grass",  "bezier",  "shell", "species", "colliders", "surfaces", "rotors", "probes",    "cameras"};
 
 /// The member of a record that is a list and so in no parameter table; empty: none.
 template <class Record>

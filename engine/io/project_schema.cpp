@@ -202,6 +202,7 @@ std::string projectSchemaJson() {
   properties["terrain"] = ownerSchema<TerrainSettings>();
   properties["grass"] = ownerSchema<GrassSettings>();
   properties["bezier"] = ownerSchema<BezierSettings>();
+  properties["shell"] = ownerSchema<ShellSettings>();
   properties["species"] = listOf(ownerSchema<Species>(), kMaxSpecies);
   properties["colliders"] = listOf(colliderSchema(), kMaxColliders);
   properties["surfaces"] = listOf(ownerSchema<Surface>(), kMaxSurfaces);
@@ -240,6 +241,7 @@ std::string parametersMarkdown() {
   appendTable<TerrainSettings>(text, "Terrain", "/terrain");
   appendTable<GrassSettings>(text, "Grass", "/grass");
   appendTable<BezierSettings>(text, "Bezier grass", "/bezier");
+  appendTable<ShellSettings>(text, "Shell grass", "/shell");
   appendTable<Species>(text, "Species", "/species/N");
   appendTable<Collider>(text, "Collider", "/colliders/N");
   const std::string reach = shortest(kMaxColliderOffsetM);

@@ -266,6 +266,7 @@ std::string writeProject(const Project& project) {
   members.push_back(member("terrain", partText("terrain", *project.terrain)));
   members.push_back(member("grass", partText("grass", *project.grass)));
   members.push_back(member("bezier", partText("bezier", *project.bezier)));
+  members.push_back(member("shell", partText("shell", *project.shell)));
   members.push_back(member("species", listText(*project.species, "  ")));
   members.push_back(member("colliders", listText(*project.colliders, "  ")));
   members.push_back(member("surfaces", listText(*project.surfaces, "  ")));

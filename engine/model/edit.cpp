@@ -107,7 +107,11 @@ class Editing {
   }
 
   void operator()(const Set<BezierSettings>& step) { set(m_project.bezier, step.part); }
-  void operator()(const Set<ShellSettings>& step) { set(m_project.shell, step.part); }
+  void operator()(const Set<ShellSettings>& step) {
+    ShellSettings shell = step.part;
+    keepInStep(shell.pixels, shell.texture);
+    set(m_project.shell, shell);
+  }
 
   void operator()(const EraseSignal& step) {
     erase(m_signals, m_project.graph->signals, [&](const Signal& signal) { return signal.root == step.root; });

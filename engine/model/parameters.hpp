@@ -38,6 +38,8 @@ template <>
 std::span<const Parameter<GrassSettings>> parametersOf<GrassSettings>();
 template <>
 std::span<const Parameter<BezierSettings>> parametersOf<BezierSettings>();
+template <>
+std::span<const Parameter<ShellSettings>> parametersOf<ShellSettings>();
 
 /// Project::name, which stands by itself.
 inline constexpr ParameterInfo kProjectName{

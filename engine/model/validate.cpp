@@ -237,6 +237,11 @@ void checkBezier(Problems& problems, const BezierSettings& bezier) {
   }
 }
 
+void checkShell(Problems& problems, const ShellSettings& shell) {
+  checkPart(problems, shell, "/shell");
+  checkFile(problems, shell.texture, false, "", [] { return std::string("/shell/texture/file"); });
+}
+
 void checkGrass(Problems& problems, const GrassSettings& grass) {
   checkPart(problems, grass, "/grass");
   const auto map = [&](const std::string& file, const char* place) {
@@ -328,6 +333,7 @@ Problems validateParts(const Project& project, const Project* valid) {
   if (changed(&Project::terrain)) checkTerrain(problems, *project.terrain);
   if (changed(&Project::grass)) checkGrass(problems, *project.grass);
   if (changed(&Project::bezier)) checkBezier(problems, *project.bezier);
+  if (changed(&Project::shell)) checkShell(problems, *project.shell);
   if (changed(&Project::species)) checkSpecies(problems, *project.species, valid ? valid->species.get() : nullptr);
   if (changed(&Project::colliders))
     checkColliders(problems, *project.colliders, valid ? valid->colliders.get() : nullptr);
