@@ -261,7 +261,8 @@ void App::openDropped() {
 void App::tellGrass() {
   UiMap& map = m_look.map;
   const GrassKind kind = m_workspace.document.project().grass->kind;
-  map.fact("grass", kind == GrassKind::Bezier ? "bezier" : kind == GrassKind::None ? "none" : "instanced");
+  const char* names[] = {"instanced", "bezier", "shell", "none"};
+  map.fact("grass", names[static_cast<std::size_t>(kind)]);
   std::string tests;
   for (const CullingEntry& entry : kCullingTests)
     if (m_viewport.bezierCulling.*entry.on) tests.append(tests.empty() ? "" : " ").append(entry.name);

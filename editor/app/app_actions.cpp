@@ -183,7 +183,7 @@ void App::registerFileActions() {
   actions.add({.id = "add.surface_file",
                .label = "Add surface from glTF...",
                .category = "Add",
-               .help = "A thing from a file, in the middle of the view, with Bezier grass all over it.",
+               .help = "A thing from a file, in the middle of the view, with Bezier or shell grass all over it.",
                .run = [this] {
                  constexpr float kReachM = 0.5f;
                  const glm::vec2 place = freePlace(m_workspace, kReachM);

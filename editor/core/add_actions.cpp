@@ -29,8 +29,9 @@ void addSurface(Workspace& w, SurfaceShape shape) {
   const AddResult added = addSurfaceEdit(w.document.committed(), std::move(surface));
   if (!w.apply(added.edit)) return;
   w.selection.replace(added.id);
-  if (w.document.project().grass->kind != GrassKind::Bezier)
-    w.say(MessageKind::Info, "Only Bezier grass grows on surfaces: key 2 switches to it");
+  const GrassKind kind = w.document.project().grass->kind;
+  if (kind != GrassKind::Bezier && kind != GrassKind::Shell)
+    w.say(MessageKind::Info, "Only Bezier and shell grass grow on surfaces: keys 2 and 3 switch to them");
 }
 
 void addRotor(Workspace& w) {

@@ -11,10 +11,6 @@ namespace windloom::editor {
 namespace fs = std::filesystem;
 namespace {
 
-bool isMap(AssetUse use) {
-  return use == AssetUse::DensityMap || use == AssetUse::HeightMap || use == AssetUse::ColourMap;
-}
-
 MeshUse meshUseOf(AssetUse use) {
   return use == AssetUse::Species ? MeshUse::Plant : use == AssetUse::Surface ? MeshUse::Surface : MeshUse::Object;
 }
@@ -29,13 +25,14 @@ Result<std::string> bring(const fs::path& file, const fs::path& projectFile, con
 Result<LoadedAsset> load(const AssetTarget& target, const fs::path& file, const fs::path& projectFile,
                          const LoadWatch& watch) {
   LoadedAsset asset{target, nullptr, nullptr};
-  if (isMap(target.use)) {
-    const Result<std::shared_ptr<GrassMap>> map = readGrassMap(file);
-    if (!map) return map.error();
+  if (isPicture(target.use)) {
+    const Result<std::shared_ptr<GrassMap>> picture =
+        target.use == AssetUse::ShellPicture ? readShellPicture(file) : readGrassMap(file);
+    if (!picture) return picture.error();
     const Result<std::string> name = bring(file, projectFile, watch);
     if (!name) return name.error();
-    (*map)->file = *name;
-    asset.map = *map;
+    (*picture)->file = *name;
+    asset.picture = *picture;
     return asset;
   }
   const Result<std::shared_ptr<PlantMesh>> mesh = readPlantFile(file, meshUseOf(target.use));
@@ -56,6 +53,34 @@ std::shared_ptr<const GrassMap> GrassSettings::*pixelsOf(AssetUse use) {
   return use == AssetUse::DensityMap  ? &GrassSettings::densityPixels
          : use == AssetUse::HeightMap ? &GrassSettings::heightPixels
                                       : &GrassSettings::colourPixels;
+}
+
+/// A picture's name and pixels as the project has them.
+struct PictureOf {
+  const std::string& name;
+  bool read;
+};
+PictureOf pictureOf(const Project& project, AssetUse use) {
+  if (use == AssetUse::ShellPicture) return {project.shell->texture, project.shell->pixels != nullptr};
+  return {(*project.grass).*nameOf(use), (*project.grass).*pixelsOf(use) != nullptr};
+}
+
+EditStep withPicture(const Project& project, AssetUse use, std::string name, std::shared_ptr<const GrassMap> pixels) {
+  if (use == AssetUse::ShellPicture) {
+    ShellSettings shell = *project.shell;
+    shell.texture = std::move(name);
+    shell.pixels = std::move(pixels);
+    return Set<ShellSettings>{std::move(shell)};
+  }
+  GrassSettings grass = *project.grass;
+  grass.*nameOf(use) = std::move(name);
+  grass.*pixelsOf(use) = std::move(pixels);
+  return Set<GrassSettings>{std::move(grass)};
+}
+
+/// "Set map", "Clear picture"
+std::string labelOf(const char* verb, AssetUse use) {
+  return std::string(verb) + (use == AssetUse::ShellPicture ? " picture" : " map");
 }
 
 void give(Species& species, const LoadedAsset& asset) {
@@ -124,8 +149,13 @@ Answer ofFirst(const Project& project, const AssetTarget& target, Ask&& ask, Ans
 
 }  // namespace
 
+bool isPicture(AssetUse use) {
+  return use == AssetUse::DensityMap || use == AssetUse::HeightMap || use == AssetUse::ColourMap ||
+         use == AssetUse::ShellPicture;
+}
+
 const char* assetEndings(AssetUse use) {
-  return isMap(use) ? ".png" : ".glb;.gltf";
+  return isPicture(use) ? ".png" : ".glb;.gltf";
 }
 
 void AssetLoad::start(AssetTarget target, const fs::path& file, const fs::path& projectFile) {
@@ -136,11 +166,9 @@ void AssetLoad::start(AssetTarget target, const fs::path& file, const fs::path& 
 
 AddResult assetEdit(const Project& project, const LoadedAsset& asset) {
   const AssetTarget& target = asset.target;
-  if (isMap(target.use)) {
-    GrassSettings grass = *project.grass;
-    grass.*nameOf(target.use) = asset.map->file;
-    grass.*pixelsOf(target.use) = asset.map;
-    return {{.label = "Set map", .steps = {Set<GrassSettings>{std::move(grass)}}, .mergeKey = {}}, 0};
+  if (isPicture(target.use)) {
+    EditStep step = withPicture(project, target.use, asset.picture->file, asset.picture);
+    return {{.label = labelOf("Set", target.use), .steps = {std::move(step)}, .mergeKey = {}}, 0};
   }
   if (target.ids.empty()) return addWith(project, asset);
   AddResult result{{.label = "Set file", .steps = {}, .mergeKey = {}}, 0};
@@ -154,25 +182,23 @@ AddResult assetEdit(const Project& project, const LoadedAsset& asset) {
   return result;
 }
 
-Edit clearMapEdit(const Project& project, AssetUse map) {
-  Edit edit{.label = "Clear map", .steps = {}, .mergeKey = {}};
-  GrassSettings grass = *project.grass;
-  if ((grass.*nameOf(map)).empty()) return edit;
-  (grass.*nameOf(map)).clear();
-  edit.steps.emplace_back(Set<GrassSettings>{std::move(grass)});
+Edit clearPictureEdit(const Project& project, AssetUse picture) {
+  Edit edit{.label = labelOf("Clear", picture), .steps = {}, .mergeKey = {}};
+  if (!pictureOf(project, picture).name.empty()) edit.steps.push_back(withPicture(project, picture, {}, nullptr));
   return edit;
 }
 
 std::string assetFileOf(const Project& project, const AssetTarget& target) {
   const auto file = [](const auto& record) { return record.file; };
-  if (!isMap(target.use)) return ofFirst(project, target, file, std::string());
-  return (*project.grass).*nameOf(target.use);
+  if (!isPicture(target.use)) return ofFirst(project, target, file, std::string());
+  return pictureOf(project, target.use).name;
 }
 
 bool isAssetRead(const Project& project, const AssetTarget& target) {
   const auto read = [](const auto& record) { return record.file.empty() || record.mesh != nullptr; };
-  if (!isMap(target.use)) return ofFirst(project, target, read, true);
-  return ((*project.grass).*nameOf(target.use)).empty() || (*project.grass).*pixelsOf(target.use) != nullptr;
+  if (!isPicture(target.use)) return ofFirst(project, target, read, true);
+  const PictureOf picture = pictureOf(project, target.use);
+  return picture.name.empty() || picture.read;
 }
 
 }  // namespace windloom::editor

@@ -1,5 +1,5 @@
 #pragma once
-// Reading the files of species, colliders, surfaces and maps of the grass beside the frame loop, and bringing them into
+// Reading the files of species, colliders, surfaces and pictures of the grass beside the frame loop, and bringing them into
 // the project's folder.
 
 #include <filesystem>
@@ -12,7 +12,9 @@
 
 namespace windloom::editor {
 
-enum class AssetUse { Species, Collider, Surface, DensityMap, HeightMap, ColourMap };
+enum class AssetUse { Species, Collider, Surface, DensityMap, HeightMap, ColourMap, ShellPicture };
+/// Whether it is a picture of the project's grass, which can be taken out again; else a mesh.
+bool isPicture(AssetUse use);
 
 /// What a file is for.
 struct AssetTarget {
@@ -27,23 +29,24 @@ const char* assetEndings(AssetUse use);
 struct LoadedAsset {
   AssetTarget target;
   std::shared_ptr<const PlantMesh> mesh;
-  std::shared_ptr<const GrassMap> map;
+  std::shared_ptr<const GrassMap> picture;
 
-  [[nodiscard]] const std::string& file() const { return mesh ? mesh->file : map->file; }
+  [[nodiscard]] const std::string& file() const { return mesh ? mesh->file : picture->file; }
 };
 
 class AssetLoad : public FileLoad<LoadedAsset> {
  public:
   /// Begins to read `file` for the project at `projectFile`; what was being read is given up. poll() gives it with its
-  /// name below the project's folder, and fails as readPlantFile, readGrassMap and bringAsset.
+  /// name below the project's folder, and fails as readPlantFile, readGrassMap, readShellPicture and
+  /// bringAsset.
   void start(AssetTarget target, const std::filesystem::path& file, const std::filesystem::path& projectFile);
 };
 
 /// Gives the file to its target, as one step. No steps where the records are gone; `id` is that of a new record, else
 /// 0.
 AddResult assetEdit(const Project& project, const LoadedAsset& asset);
-/// The map's name and pixels taken out.
-Edit clearMapEdit(const Project& project, AssetUse map);
+/// The picture's name and pixels taken out.
+Edit clearPictureEdit(const Project& project, AssetUse picture);
 /// The file's name as the project has it; of records the first one's. Empty where there is none.
 std::string assetFileOf(const Project& project, const AssetTarget& target);
 /// Whether what the file holds is there; true where no file is named.

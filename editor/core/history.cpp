@@ -60,6 +60,7 @@ std::map<const void*, std::size_t> filesOf(const Project& project) {
   add(project.grass->densityPixels);
   add(project.grass->heightPixels);
   add(project.grass->colourPixels);
+  add(project.shell->pixels);
   if (project.terrain->heights) {
     const auto& source = project.terrain->heights->source;
     files.emplace(source.get(), source->values.capacity() * sizeof(float));
@@ -82,6 +83,7 @@ std::size_t partBytes(const Project* before, const Project& project) {
   add(&Project::terrain);
   add(&Project::grass);
   add(&Project::bezier);
+  add(&Project::shell);
   add(&Project::species);
   add(&Project::colliders);
   add(&Project::surfaces);

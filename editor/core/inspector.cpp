@@ -86,6 +86,8 @@ auto forKind(InspectorKind kind, Work&& work) {
       return work.template operator()<GrassSettings, PartAccess<GrassSettings, &Project::grass>>();
     case InspectorKind::Bezier:
       return work.template operator()<BezierSettings, PartAccess<BezierSettings, &Project::bezier>>();
+    case InspectorKind::Shell:
+      return work.template operator()<ShellSettings, PartAccess<ShellSettings, &Project::shell>>();
     case InspectorKind::Point:
       return work.template operator()<Point, RecordAccess<Point>>();
     case InspectorKind::Arrow:
@@ -159,6 +161,8 @@ std::string titleOf(const Project& project, const InspectorTarget& target) {
       return "Grass";
     case InspectorKind::Bezier:
       return "Bezier grass";
+    case InspectorKind::Shell:
+      return "Shell grass";
     case InspectorKind::Signal:
       break;
     default:

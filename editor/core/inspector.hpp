@@ -22,6 +22,7 @@ enum class InspectorKind {
   Terrain,
   Grass,
   Bezier,
+  Shell,
   Point,
   Arrow,
   Signal,

@@ -67,6 +67,12 @@ bool isRelevant(const GrassSettings& grass, std::string_view key) {
     return std::ranges::find(kOfInstanced, key) == std::end(kOfInstanced) && !key.starts_with("droop/") &&
            !key.starts_with("swing/");
   }
+  if (grass.kind == GrassKind::Shell) {
+    // One texture stands for all blades: none has a stiffness, a pose or a memory of its own.
+    constexpr std::string_view kOfSingleBlades[] = {"deformation", "stiffnessVariation", "restBlend", "interacting"};
+    return std::ranges::find(kOfSingleBlades, key) == std::end(kOfSingleBlades) && !key.starts_with("droop/") &&
+           !key.starts_with("swing/");
+  }
   // Blades that objects bent swing whatever the others do.
   const bool inertial = grass.deformation == Deformation::Inertial;
   if (key == "swing/exponent") return inertial;
@@ -81,6 +87,14 @@ bool isRelevant(const BezierSettings& bezier, std::string_view key) {
   if (key == "gravity/centre" || key == "gravity/centreStrength") return bezier.centreBlend > 0;
   if (key == "collision/fade") return bezier.collisionStrength > 0;
   return !key.starts_with("wind/wave") || bezier.wind != BezierWind::Field;
+}
+
+bool isRelevant(const ShellSettings& shell, std::string_view key) {
+  // A picture has its blades already.
+  if (key == "texture/fullness" || key == "texture/thickness" || key == "texture/taper") return shell.texture.empty();
+  if (key == "wind/strength") return shell.wind != ShellWind::Source;
+  const bool ofRings = key.starts_with("wind/source") && key != "wind/source";
+  return !ofRings || shell.wind != ShellWind::Field;
 }
 
 }  // namespace windloom::editor

@@ -17,6 +17,7 @@ bool isRelevant(const SolverSettings& solver, std::string_view key);
 bool isRelevant(const TerrainSettings& terrain, std::string_view key);
 bool isRelevant(const GrassSettings& grass, std::string_view key);
 bool isRelevant(const BezierSettings& bezier, std::string_view key);
+bool isRelevant(const ShellSettings& shell, std::string_view key);
 
 template <class Owner>
 bool isRelevant(const Owner&, std::string_view) {

@@ -139,6 +139,7 @@ Lines describeChanges(const Project& before, const Project& after) {
   compareSettings(lines, "Terrain", before.terrain, after.terrain);
   compareSettings(lines, "Grass", before.grass, after.grass);
   compareSettings(lines, "Bezier grass", before.bezier, after.bezier);
+  compareSettings(lines, "Shell grass", before.shell, after.shell);
   compareRecords(lines, "Species", *before.species, *after.species);
   compareRecords(lines, "Collider", *before.colliders, *after.colliders);
   compareRecords(lines, "Surface", *before.surfaces, *after.surfaces);

@@ -31,7 +31,7 @@ std::string subject(std::string_view pointer) {
       {"surfaces", "The surface"},     {"rotors", "The rotor"},    {"probes", "The probe"},
       {"cameras", "The camera"},       {"field", "The field"},     {"solver", "The solver"},
       {"ambient", "The ambient wind"}, {"terrain", "The terrain"}, {"grass", "The grass"},
-      {"bezier", "The Bezier grass"},  {"name", "The name"}};
+      {"bezier", "The Bezier grass"},  {"shell", "The shell grass"}, {"name", "The name"}};
   std::vector<std::string_view> parts = segments(pointer);
   if (!parts.empty() && parts.front() == "graph") parts.erase(parts.begin());
   if (parts.empty()) return {};

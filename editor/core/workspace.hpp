@@ -132,7 +132,7 @@ glm::vec2 freePlace(Workspace& workspace, float reachM);
 /// tool.select tool.move tool.rotate tool.scale tool.draw tool.obstacle tool.vortex tool.brush tool.probe tool.delete
 /// tool.cancel;
 /// view.frame view.frame_all view.top view.front view.side view.orthographic view.camera_next view.camera_store;
-/// grass.instanced grass.bezier grass.none; snap.grid snap.angle snap.points.
+/// grass.instanced grass.bezier grass.shell grass.none; snap.grid snap.angle snap.points.
 void registerCoreActions(Workspace& workspace);
 
 }  // namespace windloom::editor

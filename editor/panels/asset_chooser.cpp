@@ -23,14 +23,12 @@ const char* titleOf(const AssetTarget& target) {
       return "Choose a density map";
     case AssetUse::HeightMap:
       return "Choose a height map of the grass";
+    case AssetUse::ShellPicture:
+      return "Choose a picture of blades from above";
     case AssetUse::ColourMap:
       break;
   }
   return "Choose a colour map";
-}
-
-bool isMap(const AssetTarget& target) {
-  return target.use == AssetUse::DensityMap || target.use == AssetUse::HeightMap || target.use == AssetUse::ColourMap;
 }
 
 bool sameTarget(const AssetTarget& a, const AssetTarget& b) {
@@ -84,10 +82,10 @@ void AssetChooser::drawRow(PanelContext& context, const InspectorRow& row, std::
     ImGui::TextUnformatted(workspace.assetLoad.doing().c_str());
   } else {
     if (smallButton("Browse...", name + "/browse")) browse(workspace, target);
-    if (isMap(target) && !file.empty()) {
+    if (isPicture(target.use) && !file.empty()) {
       ImGui::SameLine(0, scaled(4));
       if (smallButton("Clear", name + "/clear")) {
-        workspace.apply(clearMapEdit(workspace.document.committed(), target.use));
+        workspace.apply(clearPictureEdit(workspace.document.committed(), target.use));
         workspace.document.seal();
       }
     }

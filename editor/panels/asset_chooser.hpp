@@ -1,5 +1,5 @@
 #pragma once
-// Choosing the files of species, colliders, surfaces and maps: the row that shows one, and the window to browse for
+// Choosing the files of species, colliders, surfaces and pictures: the row that shows one, and the window to browse for
 // another.
 
 #include "editor/core/asset_load.hpp"
@@ -13,7 +13,7 @@ class AssetChooser {
  public:
   /// Opens the window, or says that the project has to be saved first.
   void browse(Workspace& workspace, AssetTarget target);
-  /// A row of a table of parameters: the file's name, a button to browse, for maps one to clear, and what is wrong.
+  /// A row of a table of parameters: the file's name, a button to browse, for pictures one to clear, and what is wrong.
   void drawRow(PanelContext& context, const InspectorRow& row, std::string_view prefix, const AssetTarget& target);
   /// The window, once a frame.
   void draw(Workspace& workspace);

@@ -7,12 +7,14 @@
 #include <span>
 
 #include "editor/panels/grass_view.hpp"
+#include "editor/panels/shell_counts.hpp"
 #include "editor/widgets/look.hpp"
 
 namespace windloom::editor {
 namespace {
 
-constexpr const char *kPrefix = "inspector/grass", *kBezierPrefix = "inspector/bezier";
+constexpr const char *kPrefix = "inspector/grass", *kBezierPrefix = "inspector/bezier",
+                     *kShellPrefix = "inspector/shell";
 
 struct Group {
   const char* title;
@@ -47,7 +49,16 @@ const Group kBezierGroups[] = {
     {"Left out", {"culling/"}},
 };
 
-std::optional<AssetUse> mapOf(std::string_view key) {
+// Of shell grass.
+const Group kShellGroups[] = {
+    {"Shells", {"shells", "method"}},
+    {"Texture", {"texture/"}},
+    {"Bend", {"bend/"}},
+    {"Wind", {"wind/"}},
+};
+
+std::optional<AssetUse> pictureOf(std::string_view key) {
+  if (key == "texture/file") return AssetUse::ShellPicture;
   if (key == "maps/density") return AssetUse::DensityMap;
   if (key == "maps/height") return AssetUse::HeightMap;
   if (key == "maps/colour") return AssetUse::ColourMap;
@@ -81,33 +92,39 @@ void drawGroups(const InspectorSection& section, Groups groups, const char* pref
   }
 }
 
+/// All groups of a section; a row with a picture gets a button to choose one.
+template <class Shown>
+void drawTable(PanelContext& context, AssetChooser& assets, const ApplyChange& apply, InspectorKind kind, Groups groups,
+               const char* prefix, Shown&& shown) {
+  const InspectorSection section = inspect(context.project(), {kind, {}});
+  drawGroups(section, groups, prefix, shown, [&](const InspectorRow& one) {
+    if (const auto picture = pictureOf(one.info.key)) {
+      assets.drawRow(context, one, prefix, {.use = *picture});
+    } else if (const auto change = parameterRow(one, prefix)) {
+      apply(section, one, *change);
+    }
+  });
+}
+
 }  // namespace
 
 void drawGrass(PanelContext& context, AssetChooser& assets, const ApplyChange& apply) {
-  const bool bezier = context.project().grass->kind == GrassKind::Bezier;
-  const InspectorSection section = inspect(context.project(), {InspectorKind::Grass, {}});
-  const bool grows = context.project().grass->kind != GrassKind::None;
-  // What the blades' swing depends on is only shown where they swing, and nothing of it with Bezier grass; other rows
-  // are dimmed.
-  const auto shown = [&](const InspectorRow& row) {
-    return row.relevant || !(bezier || (grows && row.info.key.starts_with("swing/")));
-  };
-  const auto row = [&](const InspectorRow& one) {
-    if (const auto map = mapOf(one.info.key)) {
-      assets.drawRow(context, one, kPrefix, {.use = *map});
-    } else if (const auto change = parameterRow(one, kPrefix)) {
-      apply(section, one, *change);
-    }
-  };
-  drawGroups(section, kGroups, kPrefix, shown, row);
-  if (!bezier) return;
-  const InspectorSection own = inspect(context.project(), {InspectorKind::Bezier, {}});
-  drawGroups(
-      own, kBezierGroups, kBezierPrefix, [](const InspectorRow& one) { return one.relevant; },
-      [&](const InspectorRow& one) {
-        if (const auto change = parameterRow(one, kBezierPrefix)) apply(own, one, *change);
-      });
-  if (header("Look at the grass", kBezierPrefix)) drawGrassView(context);
+  const GrassKind kind = context.project().grass->kind;
+  // What the blades' swing depends on is only shown where they swing, and with Bezier and shell grass only what means
+  // something to them; other rows are dimmed.
+  const bool own = kind == GrassKind::Bezier || kind == GrassKind::Shell, grows = kind != GrassKind::None;
+  drawTable(context, assets, apply, InspectorKind::Grass, kGroups, kPrefix, [&](const InspectorRow& row) {
+    return row.relevant || !(own || (grows && row.info.key.starts_with("swing/")));
+  });
+  const auto relevant = [](const InspectorRow& row) { return row.relevant; };
+  if (kind == GrassKind::Bezier) {
+    drawTable(context, assets, apply, InspectorKind::Bezier, kBezierGroups, kBezierPrefix, relevant);
+    if (header("Look at the grass", kBezierPrefix)) drawGrassView(context);
+  }
+  if (kind == GrassKind::Shell) {
+    drawTable(context, assets, apply, InspectorKind::Shell, kShellGroups, kShellPrefix, relevant);
+    if (header("What is drawn", kShellPrefix)) drawShellCounts(context);
+  }
 }
 
 }  // namespace windloom::editor

@@ -12,7 +12,8 @@ namespace windloom::editor {
 
 using ApplyChange = std::function<void(const InspectorSection&, const InspectorRow&, const RowChange&)>;
 
-/// `apply` takes over a change of any row but the maps. With Bezier grass its settings follow, and how to look at it.
+/// `apply` takes over a change of any row but the pictures. With Bezier and shell grass their own settings follow, and
+/// how to look at it or what is drawn of it.
 void drawGrass(PanelContext& context, AssetChooser& assets, const ApplyChange& apply);
 
 }  // namespace windloom::editor

@@ -31,6 +31,8 @@ const char* kindName(InspectorKind kind) {
       return "grass";
     case InspectorKind::Bezier:
       return "bezier";
+    case InspectorKind::Shell:
+      return "shell";
     case InspectorKind::Point:
       return "point";
     case InspectorKind::Arrow:

@@ -233,10 +233,10 @@ TEST_F(AssetsInEditor, AMapIsSetAndCleared) {
   ASSERT_NE(project().grass->densityPixels, nullptr);
   EXPECT_EQ(project().grass->densityPixels->size, glm::ivec2(4, 4));
   EXPECT_EQ(project().grass->heightPixels, nullptr);
-  w().apply(clearMapEdit(project(), AssetUse::DensityMap));
+  w().apply(clearPictureEdit(project(), AssetUse::DensityMap));
   EXPECT_EQ(project().grass->densityMap, "");
   EXPECT_EQ(project().grass->densityPixels, nullptr);
-  EXPECT_TRUE(clearMapEdit(project(), AssetUse::DensityMap).steps.empty());
+  EXPECT_TRUE(clearPictureEdit(project(), AssetUse::DensityMap).steps.empty());
   m_bench.key("Ctrl+Z");
   EXPECT_NE(project().grass->densityPixels, nullptr);
 }
