@@ -3,12 +3,8 @@
 #include <epoxy/gl.h>
 
 #include <algorithm>
-#include <atomic>
-#include <chrono>
 #include <cmath>
 #include <cstring>
-#include <exception>
-#include <future>
 #include <string>
 #include <tuple>
 
@@ -148,28 +144,6 @@ Status reserve(gpu::Buffer& buffer, std::string_view label, std::size_t bytes) {
 
 }  // namespace
 
-/// Blades on their way.
-struct BezierGrass::Job {
-  explicit Job(const Project& what) : project(what) {
-    meadow = std::async(std::launch::async, [this] { return placeBezier(project, &cancelled); });
-  }
-  ~Job() { cancelled = true; }
-  /// Waits. Fails with Machine where there was no memory for the blades.
-  Result<BezierMeadow> take() {
-    try {
-      return meadow.get();
-    } catch (const std::exception& failure) {
-      return makeError(ErrorKind::Machine, std::string("the grass's blades can't be placed: ") + failure.what());
-    }
-  }
-  Job(const Job&) = delete;
-  Job& operator=(const Job&) = delete;
-
-  const Project project;
-  std::atomic<bool> cancelled = false;
-  std::future<BezierMeadow> meadow;  // its destructor waits
-};
-
 Result<BezierGrass> BezierGrass::create(gpu::ShaderLibrary& shaders) {
   BezierGrass grass;
   grass.m_shaders = &shaders;
@@ -227,12 +201,12 @@ Status BezierGrass::makeStrips() {
 
 Status BezierGrass::configure(const Project& project, Placement placement) {
   const bool current = m_any && samePlacement(project, m_placed);
-  if (!current && m_job == nullptr) m_job = std::make_shared<Job>(project);
+  if (!current && m_job == nullptr)
+    m_job = std::make_shared<MadeBeside<BezierMeadow>>(project, "the grass's blades", placeBezier);
   if (m_job == nullptr) return Done{};
-  const auto ready = [&] { return m_job->meadow.wait_for(std::chrono::seconds(0)) == std::future_status::ready; };
-  if (placement == Placement::Later && !ready()) return Done{};
+  if (placement == Placement::Later && !m_job->ready()) return Done{};
   // One that was begun for other settings is still shown on the way, so that a slider shows what it does.
-  const std::shared_ptr<Job> done = std::move(m_job);
+  const auto done = std::move(m_job);
   m_job = nullptr;
   m_placed = done->project;  // even if it fails: it would fail again
   m_any = true;

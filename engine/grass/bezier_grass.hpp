@@ -22,6 +22,7 @@
 #include "engine/grass/bezier_physics.hpp"
 #include "engine/grass/bezier_placement.hpp"
 #include "engine/grass/bezier_view.hpp"
+#include "engine/grass/made_beside.hpp"
 #include "shaders/shared/bezier_block.h"
 
 namespace windloom {
@@ -35,9 +36,6 @@ struct BezierFrame {
   GrassView view = GrassView::Normal;
   bool quick = false;  ///< simpler light, for a software renderer
 };
-
-/// Blades are placed in the background: whether a call waits for them.
-enum class Placement { Wait, Later };
 
 class BezierGrass {
  public:
@@ -71,7 +69,6 @@ class BezierGrass {
   const BezierCounts& counts();
 
  private:
-  struct Job;
   struct Strip {
     gpu::Buffer indices;
     gpu::VertexArray array;
@@ -84,9 +81,9 @@ class BezierGrass {
   Status makeStrips();
   bool reduceDepth(const gpu::Texture& depth);
 
-  std::shared_ptr<Job> m_job;  // being placed; null: none
-  Project m_placed;            // what the blades in the store grow on
-  bool m_any = false;          // there was one
+  std::shared_ptr<MadeBeside<BezierMeadow>> m_job;  // being placed; null: none
+  Project m_placed;                                 // what the blades in the store grow on
+  bool m_any = false;                               // there was one
   gpu::Program *m_patchCull = nullptr, *m_patchList = nullptr, *m_nextRound = nullptr;
   BezierLanes m_cull;
   gpu::ShaderLibrary* m_shaders = nullptr;

@@ -41,6 +41,11 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/bezier dandelion far",
      {"grass/bezier.vert", "grass/bezier.frag"},
      "LIST=5 ROWS=9 COLUMNS=2 DANDELION STALK=2"},
+    {"grass/shell", {"grass/shell.vert", "grass/shell.frag"}},
+    {"grass/shell surface", {"grass/shell.vert", "grass/shell.frag"}, "SURFACE"},
+    {"grass/shell slices", {"grass/shell.vert", "grass/shell.frag"}, "SLICES ONE_SAMPLE"},
+    {"grass/shell texel", {"grass/shell.vert", "grass/shell.frag"}, "TEXEL"},
+    {"grass/shell surface texel", {"grass/shell.vert", "grass/shell.frag"}, "SURFACE TEXEL ONE_SAMPLE QUICK"},
     {"grass/plant", {"grass/plant.vert", "grass/plant.frag"}},
     {"grass/plant textured", {"grass/plant.vert", "grass/plant.frag"}, "TEXTURED"},
 };

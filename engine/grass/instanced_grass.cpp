@@ -131,6 +131,7 @@ Status InstancedGrass::bindSettings(const GrassSettings& grass, std::span<const 
   block.limits.w = static_cast<float>(occluderLevels);
   // The ground shows nothing in place of blades that are left out here: they are drawn by others.
   if (blades == Blades::None) block.tileCentre.w = 1.0f;
+  if (blades == Blades::Shells) block.tileCentre.w = 2.0f;
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_GRASS);
   m_tiles = blades == Blades::Drawn ? tilesInRings(block) : 0;

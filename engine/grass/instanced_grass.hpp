@@ -23,7 +23,8 @@ namespace windloom {
 class InstancedGrass {
  public:
   enum class Chains { None, Some };
-  enum class Blades { None, Drawn };
+  /// None: others draw them, all of them. Shells: as shells, which turn into the ground's shading far away.
+  enum class Blades { None, Shells, Drawn };
 
   /// Fails with Machine.
   static Result<InstancedGrass> create(gpu::ShaderLibrary& shaders);
@@ -35,7 +36,7 @@ class InstancedGrass {
   /// Fills the settings block for this frame; it stays bound for all passes of the frame, also the ground's. Makes room
   /// for what may be seen; fails with Machine, and then nothing is drawn. `occluderLevels`: of the pyramid bound at
   /// RENDER_TEXTURE_OCCLUDERS, 0: none. `chains`: whether blades may lean otherwise than their bend.
-  /// `blades`: None where only others need the settings.
+  /// `blades`: where not Drawn, only others need the settings.
   Status bindSettings(const GrassSettings& grass, std::span<const Species> species, const GrassQuality& quality,
                       const shared::FrameBlock& frame, int occluderLevels, Chains chains, Blades blades);
 

@@ -253,7 +253,7 @@ struct ShellSettings {
   float stiffnessCurve =
       1.0f;               ///< p: at part x of a blade it leans by x^p of what its tip does: < 1 bends low, > 1 high
   float overBend = 1.0f;  ///< intensity at most: 1 lays the tip level, more bends it down to the ground, up to 2
-  float lean = 0.15f;     ///< by how much clumps lean in still air, 0..1
+  float lean = 0.35f;     ///< by how much clumps lean in still air, 0..1
   ShellWind wind = ShellWind::Field;
   float windStrength = 1.0f;  ///< over what GrassSettings::windFactor gives
   ShellSampling sampling = ShellSampling::Vertex;

@@ -10,6 +10,7 @@
 #include "engine/grass/instanced_grass.hpp"
 #include "engine/grass/plant_pass.hpp"
 #include "engine/grass/rotors.hpp"
+#include "engine/grass/shell_grass.hpp"
 #include "engine/render/backdrop.hpp"
 #include "engine/render/collider_pass.hpp"
 #include "engine/render/frame_block.hpp"
@@ -36,6 +37,7 @@ struct Parts {
   InstancedGrass grass;
   BezierGrass bezier;
   BezierPhysics bezierPhysics;
+  ShellGrass shell;
   GrassMaps maps;
   PlantPass plants;
   GrassDynamics dynamics;
@@ -58,6 +60,8 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!bezier) return bezier.error();
   Result<BezierPhysics> bezierPhysics = BezierPhysics::create(shaders);
   if (!bezierPhysics) return bezierPhysics.error();
+  Result<ShellGrass> shell = ShellGrass::create(shaders);
+  if (!shell) return shell.error();
   Result<GrassMaps> maps = GrassMaps::create();
   if (!maps) return maps.error();
   Result<PlantPass> plants = PlantPass::create(shaders);
@@ -84,10 +88,11 @@ Result<Parts> createParts(gpu::ShaderLibrary& shaders) {
   if (!noise) return noise.error();
   Result<gpu::Buffer> frame = gpu::Buffer::create("frame", sizeof(FrameBlock), gpu::BufferUse::Dynamic);
   if (!frame) return frame.error();
-  return Parts{std::move(*grass),    std::move(*bezier),    std::move(*bezierPhysics), std::move(*maps),
-               std::move(*plants),   std::move(*dynamics),  std::move(*backdrop),      std::move(*ground),
-               std::move(*solids),   std::move(*colliders), std::move(*surfaces),      std::move(*occluders),
-               std::move(*overlays), std::move(*rotors),    std::move(*noise),         std::move(*frame)};
+  return Parts{std::move(*grass),     std::move(*bezier),   std::move(*bezierPhysics), std::move(*shell),
+               std::move(*maps),      std::move(*plants),   std::move(*dynamics),      std::move(*backdrop),
+               std::move(*ground),    std::move(*solids),   std::move(*colliders),     std::move(*surfaces),
+               std::move(*occluders), std::move(*overlays), std::move(*rotors),        std::move(*noise),
+               std::move(*frame)};
 }
 
 /// Lets the wind be read between cell centres whatever the texture's own filter, and leaves no sampler bound.
@@ -173,6 +178,7 @@ class FrameRendererImpl final : public FrameRenderer {
     }
     const Placement placement = input.quality.complete ? Placement::Wait : Placement::Later;
     if (isBezier(project) && !accept(m_parts.bezier.configure(project, placement))) return false;
+    if (isShell(project) && !accept(m_parts.shell.configure(project, placement))) return false;
     m_heights = heights;
     m_field = project.field;
     m_grass = project.grass;
@@ -184,6 +190,13 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   static bool isBezier(const Project& project) { return project.grass->kind == GrassKind::Bezier; }
+  static bool isShell(const Project& project) { return project.grass->kind == GrassKind::Shell; }
+  /// What else than the instanced grass stands on the ground.
+  static InstancedGrass::Blades bladesOf(const Project& project) {
+    using Blades = InstancedGrass::Blades;
+    if (isShell(project)) return project.shell->method == ShellMethod::Filled ? Blades::Shells : Blades::None;
+    return isBezier(project) ? Blades::None : Blades::Drawn;
+  }
 
   bool accept(const Status& status) {
     if (status) return true;
@@ -224,9 +237,8 @@ class FrameRendererImpl final : public FrameRenderer {
     const bool remembers = inertial || !project.colliders->empty() || m_parts.dynamics.touched();
     const auto chains = remembers ? InstancedGrass::Chains::Some : InstancedGrass::Chains::None;
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling, quick(input)};
-    const auto blades = isBezier(project) ? InstancedGrass::Blades::None : InstancedGrass::Blades::Drawn;
     accept(m_parts.grass.bindSettings(*project.grass, *project.species, quality, m_block,
-                                      occluding() ? m_parts.occluders.levels() : 0, chains, blades));
+                                      occluding() ? m_parts.occluders.levels() : 0, chains, bladesOf(project)));
     if (isBezier(project)) accept(m_parts.bezier.bindSettings(project, bezierFrame(input)));
     m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);
@@ -278,6 +290,13 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   void moveGrass(const FrameInput& input) {
+    if (isShell(*input.project)) {
+      m_timer.stage("grass tiles");
+      const ShellFrame frame{input.quality.detail, input.quality.thinning, m_targets.samples(), quick(input)};
+      accept(m_parts.shell.prepare(*input.project, frame, m_block));
+      m_parts.dynamics.bind();  // for the plants
+      return;
+    }
     if (isBezier(*input.project)) {
       m_timer.stage("grass cull patches");
       moveBezier(input);
@@ -316,6 +335,8 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.colliders.draw(state, *input.project, input.time);
     if (isBezier(*input.project)) {
       drawBezier(state);
+    } else if (isShell(*input.project)) {
+      drawShells(state);
     } else {
       m_timer.stage("grass");
       m_parts.grass.draw(state);
@@ -346,9 +367,23 @@ class FrameRendererImpl final : public FrameRenderer {
     m_parts.bezier.draw(Round::Rest, state);
   }
 
+  void drawShells(const gpu::PassState& state) {
+    m_timer.stage("grass shells");
+    m_parts.surfaces.each([&](const Surface& surface, const glm::mat4& world, const ObjectMesh& mesh) {
+      const float away = glm::length(glm::vec3(world[3]) - glm::vec3(m_block.cameraPosition));
+      const int layers = m_parts.shell.useSurface(surface, world, away, state);
+      if (layers > 0) mesh.draw(layers);
+    });
+    m_parts.shell.drawGround(state);
+  }
+
   FrameStats stats() {
     FrameStats stats;
-    if (m_grass && m_grass->kind == GrassKind::Bezier) {
+    if (m_grass && m_grass->kind == GrassKind::Shell) {
+      stats.shell = m_parts.shell.counts();
+      stats.complete = !m_parts.shell.growing();
+      stats.bladesTotal = stats.bladesDrawn = m_parts.shell.blades();
+    } else if (m_grass && m_grass->kind == GrassKind::Bezier) {
       stats.bezier = m_parts.bezier.counts();
       stats.complete = !m_parts.bezier.placing();
       stats.bladesTotal = stats.bezier.blades;

@@ -43,9 +43,10 @@ Result<ObjectMesh> makeObject(const std::shared_ptr<const PlantMesh>& mesh) {
 
 }  // namespace
 
-void ObjectMesh::draw() const {
+void ObjectMesh::draw(int instances) const {
   array.bind();
-  glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(mesh->indices.size()), GL_UNSIGNED_INT, nullptr);
+  const auto count = static_cast<GLsizei>(mesh->indices.size());
+  glDrawElementsInstanced(GL_TRIANGLES, count, GL_UNSIGNED_INT, nullptr, instances);
 }
 
 Status ObjectMeshes::configure(std::span<const std::shared_ptr<const PlantMesh>> meshes) {

@@ -19,8 +19,8 @@ struct ObjectMesh {
   gpu::VertexArray array;  ///< positions 0, normals 1, texture coordinates 2, colours 3
   gpu::Texture texture;    ///< none where the mesh has none
 
-  /// All triangles, with the program and state that are bound.
-  void draw() const;
+  /// All triangles, so many times, with the program and state that are bound.
+  void draw(int instances = 1) const;
 };
 
 class ObjectMeshes {

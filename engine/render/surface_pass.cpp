@@ -31,7 +31,7 @@ Status SurfacePass::configure(const std::vector<Surface>& surfaces, const Height
     const std::vector<glm::vec4> own = surfaceShades(*mesh, world, kShades);
     shades.insert(shades.end(), own.begin(), own.end());
     meshes.push_back(mesh);
-    shown.push_back({std::move(mesh), world, surface.colour});
+    shown.push_back({surface, std::move(mesh), world});
   }
   if (Status configured = m_meshes.configure(meshes); !configured) return configured;
   m_shown = std::move(shown);
@@ -44,13 +44,11 @@ void SurfacePass::draw(const gpu::PassState& state) const {
   const gpu::DebugGroup group("surfaces");
   gpu::apply(state);
   m_program->use();
-  for (const Shown& surface : m_shown) {
-    const auto* mesh = m_meshes.find(surface.mesh);
-    if (mesh == nullptr) continue;  // the machine had no memory for it
-    m_program->set("world", surface.world);
+  each([&](const Surface& surface, const glm::mat4& world, const ObjectMesh& mesh) {
+    m_program->set("world", world);
     m_program->set("surfaceColour", surface.colour);
-    mesh->draw();
-  }
+    mesh.draw();
+  });
 }
 
 }  // namespace windloom

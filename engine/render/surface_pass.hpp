@@ -21,15 +21,22 @@ class SurfacePass {
 
   /// Both sides of all of them. The frame block, noise, ground, map of solids and the colliders' shades must be bound.
   void draw(const gpu::PassState& state) const;
+  /// Calls `draw(surface, world, mesh)` for each that is shown.
+  template <class Draw>
+  void each(Draw draw) const {
+    for (const Shown& shown : m_shown) {
+      if (const ObjectMesh* mesh = m_meshes.find(shown.mesh)) draw(shown.surface, shown.world, *mesh);
+    }
+  }
   /// Spheres that stand for them where they take light from what is around (makeColliderShades), m.
   [[nodiscard]] const std::vector<glm::vec4>& shades() const { return m_shades; }
   [[nodiscard]] bool any() const { return !m_shown.empty(); }
 
  private:
   struct Shown {
+    Surface surface;
     std::shared_ptr<const PlantMesh> mesh;
     glm::mat4 world;
-    glm::vec3 colour;
   };
   SurfacePass() = default;
 

@@ -71,8 +71,8 @@ vec3 lightBlade(vec3 albedo, vec3 n, vec3 t, vec3 v, vec3 up, GrassLight at) {
   return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(at.height * (1.0 - upright * upright), sun);
 }
 
-// Mean light of the canopy from far: blades of every direction around the stem direction `t`.
-vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
+// Mean light of the canopy from far: blades of every direction around the stem direction `t`. `up`: where it grows to.
+vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, vec3 up, GrassLight at) {
   vec3 l = frame.sunDirection.xyz;
   float tl = dot(t, l);
   float tv = dot(t, v);
@@ -91,8 +91,8 @@ vec3 lightCanopy(vec3 albedo, vec3 t, vec3 v, GrassLight at) {
   float sheen = fourth(beside) * beside * beside * beside * 0.04 + 0.05 * forward * sinL;
   vec3 sky = frame.skyColour.rgb * skyInCanopy(at.height) * 0.85;
   vec3 bounce = frame.sunColour.rgb * grass.tipColour.rgb * 0.06;
-  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v, vec3(0.0, 1.0, 0.0));
-  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(1.0 - t.y, sun);
+  vec3 colour = (frame.sunColour.rgb * sun * direct + albedo * (sky + bounce)) * combed(t, v, up);
+  return colour * at.shade + frame.sunColour.rgb * (sheen * sun * 0.35) + skySheen(1.0 - dot(t, up), sun);
 }
 
 // Contours of the meadow catch the sky's light: Ks (1 - (N_L . V))^p with the ground's normal (Belyaev and others).
@@ -147,6 +147,6 @@ vec3 meadowColour(vec2 world, vec2 wind, vec3 v, vec3 ground, float sunlit) {
   // What neighbours take from each other besides, fitted to pictures of every blade (bench picture).
   float up = max(v.y, 0.0);
   float fitted = (1.0 - 0.357 * sqrt(up) * (1.0 - 0.902 * up)) * (0.9 + 0.1 * smoothstep(0.0, 0.15, 1.0 - stem.y)) * (1.0 - 0.04 * smoothstep(0.0, 0.3, up));
-  vec3 light = lightCanopy(albedo, stem, v, at) * fitted + contourLift(ground, v, sunlit * height);
+  vec3 light = lightCanopy(albedo, stem, v, vec3(0.0, 1.0, 0.0), at) * fitted + contourLift(ground, v, sunlit * height);
   return mix(light, undergrowth(0.5, 1.0, sunlit, 1.0), groundSeen(v, stem));
 }

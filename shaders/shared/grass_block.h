@@ -39,7 +39,7 @@ struct GrassBlock {
   vec4 tiles;       // x side of a tile m, y mean blades in a tile, z rings of tiles that are looked at, w species
   vec4 tileRange;   // lowest and highest tile along x and z that may be seen
   vec4 tileCentre;  // x, z tile that the rings lie around; z width of the thinning margin around the field, m;
-                    // w 1: every blade is drawn
+                    // w 1: every blade is drawn; 2: as shells
   vec4 boundsRange; // x, z lowest tile with known ground, z tiles along x; w 1: out of sight is left out
   vec4 cover;       // x least blade width in pixels; y most widening; z layers that count; w blade height in pixels where it
                     // fades out

@@ -50,6 +50,8 @@ void main() {
   float covered = keptByHeight(tall, grass.cover.w) * min(grass.cover.y * grass.size.x * pixels / grass.cover.x, 1.0);
   covered *= 1.0 - hiddenPart(dot(slope.normal, v));
   float blended = grass.tileCentre.w > 0.5 ? 0.0 : 1.0 - covered;
+  // Under shells that fade out it is there already.
+  if (grass.tileCentre.w > 1.5) blended = 1.0 - smoothstep(1.6 * grass.cover.w, 3.0 * grass.cover.w, tall);
   float mean = max(blended, smoothstep(0.15, 0.8, beyondField(world) / grass.tileCentre.z));
   mean *= smoothstep(grass.ground.y, grass.ground.z, slope.normal.y);
 #ifndef PLAIN

@@ -1,0 +1,245 @@
+#version 450 core
+// What is seen of the grass between a shell and the next one: the ray runs through the cuts of the texture from here down to the shell
+// below (from below: up to the one above), so that no slices show. SLICES: the paper's, only the cut at the shell itself.
+// QUICK: for software renderers. Bakay, Lalonde & Heidrich, 2002.
+#include "shaders/include/frame.glsl"
+#include "shaders/include/noise.glsl"
+#include "shaders/include/ground.glsl"
+#include "shaders/include/wind_field.glsl"
+#include "shaders/include/meadow.glsl"
+#include "shaders/include/atmosphere.glsl"
+#include "shaders/include/scene_output.glsl"
+#include "shaders/include/grass_maps.glsl"
+#include "shaders/include/shell_bend.glsl"
+
+layout(binding = RENDER_TEXTURE_SHELL_FORM) uniform sampler2D shellForm;
+layout(binding = RENDER_TEXTURE_SHELL_COLOUR) uniform sampler2D shellColour;
+#ifdef SURFACE
+uniform mat3 toOwn;    // from the world to the surface's own axes
+uniform vec4 surface;  // as in shell.vert
+#endif
+
+in ShellVertex {
+  vec3 place;
+  vec3 own;
+  vec3 root;
+  vec3 up;
+  vec3 normal;
+  vec3 below;
+  vec3 above;
+  vec3 bend;
+  vec3 push;
+  vec3 size;
+  vec4 light;
+  vec4 shade;
+} v;
+flat in vec3 heights;
+
+// The slab between two shells where the ray meets it.
+struct Slab {
+  vec3 own, root;     // as ShellVertex
+  vec3 below, above;
+  vec3 bend;
+};
+
+#ifdef TEXEL
+// With the wind at the root itself, where the corners' would be too coarse.
+Slab slabHere() {
+#ifdef SURFACE
+  float softness = surface.y;
+#else
+  const float softness = 1.0;
+#endif
+  vec3 up = normalize(v.up);
+  uvec3 ends = uvec3(heights * shell.table.x + 0.5);
+  Slab slab;
+  slab.bend = boundedBend(shellBend(v.root, up, softness) + v.push);
+  vec3 own = shellOffset(ends.y, slab.bend, up, v.size.x);
+  // The shell stays where it is: another root leans to here.
+  vec3 shift = v.place - v.root - own;
+  slab.root = v.root + shift;
+#ifdef SURFACE
+  slab.own = v.own + toOwn * shift / surface.x;
+#else
+  slab.own = v.own + shift;
+#endif
+  slab.below = own - shellOffset(ends.x, slab.bend, up, v.size.x);
+  slab.above = shellOffset(ends.z, slab.bend, up, v.size.x) - own;
+  return slab;
+}
+#else
+Slab slabHere() { return Slab(v.own, v.root, v.below, v.above, v.bend); }
+#endif
+
+// Where the ray is in the texture, and how high over the root of what it meets.
+struct Walk {
+  vec2 from, along;      // squares of the texture
+  float high, low;       // heights at its upper and its lower end, 0..1
+  bool down;             // it begins at the upper end
+  vec2 lean;             // of blades in still air at the tip, squares of the texture
+};
+
+#ifdef SURFACE
+// The texture lies on the surface from the side that it faces most.
+vec2 onTexture(vec3 own, vec3 facing) {
+  vec3 part = abs(facing);
+  return part.y >= max(part.x, part.z) ? own.xz : part.x > part.z ? own.zy : own.xy;
+}
+#endif
+
+Walk walkOf(Slab at, vec3 ray, vec2 clump) {
+  vec3 n = normalize(v.normal);
+  float facing = dot(ray, n);
+  Walk walk;
+  walk.down = facing < 0.0;
+  vec3 slab = walk.down ? at.below : at.above;
+  // Blades that cross the slab at the root they begin with: the ray's way over the ground less the blades'.
+  vec3 along = ray * (dot(slab, n) / max(abs(facing), 1e-3)) + (walk.down ? slab : -slab);
+#ifdef SURFACE
+  vec3 side = toOwn * n;
+  walk.from = onTexture(at.own, side) * shell.size.y;
+  walk.along = onTexture(toOwn * along / surface.x, side) * shell.size.y;
+#else
+  walk.from = at.own.xz * shell.size.y;
+  walk.along = along.xz * shell.size.y;
+#endif
+  walk.lean = clump * (v.size.x * shell.size.y);
+  walk.high = walk.down ? heights.y : heights.z;
+  walk.low = walk.down ? heights.x : heights.y;
+  return walk;
+}
+
+float codeOf(float height) { return 1.0 - pow(max(1.0 - height, 0.0), 1.0 / shell.table.z); }
+float heightOf(float code) { return 1.0 - pow(1.0 - code, shell.table.z); }
+
+struct Hit {
+  float cover;   // 0..1
+  float height;  // 0..1 of the tallest
+  vec4 form;     // of the texture
+  vec2 place;    // in it
+};
+
+const float kSharpness = 5.0;
+// Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
+const float kBlur = 0.5;
+// Size of the noise that blades in still air lean by.
+const float kClumpLeanM = 4.0;
+
+// Part of a pixel that a texel covers which is `code` high, cut at `cut`: an edge is about a pixel wide, however large texels are.
+float covered(float code, float cut, float sharpness) { return clamp((code - cut) * sharpness + 0.5, 0.0, 1.0) * step(0.004, code); }
+
+#ifdef SLICES
+Hit walked(Walk walk, float level, float grown) {
+  vec2 place = walk.from - walk.lean * (heights.y * heights.y);
+  vec4 form = textureLod(shellForm, place, level);
+  float a = covered(form.r, codeOf(heights.y), max(exp2(-level), 1.0) * kSharpness) * step(form.b, grown);
+  return Hit(a, heights.y, form, place);
+}
+#else
+Hit walked(Walk walk, float level, float grown) {
+  float squareTexels = shell.size.z / shell.size.y;
+  float texels = length(walk.along) * squareTexels;
+  float wanted = texels * exp2(-max(level, 0.0)) / shell.table.w;
+  int steps = int(clamp(ceil(wanted), 1.0, shell.look.x));
+  // Where the way is too long for so many steps they cover larger texels.
+  level = max(level, log2(max(texels / (float(steps) * shell.table.w), 1e-3)));
+  float sharpness = max(exp2(-level), 1.0) * kSharpness;
+  Hit hit = Hit(0.0, 0.0, vec4(0.5), walk.from);
+  float best = 0.0;
+  float clear = 1.0;
+  for (int i = 0; i < steps; ++i) {
+    float begin = float(i) / float(steps), end = float(i + 1) / float(steps);
+    float high = walk.down ? mix(walk.high, walk.low, begin) : mix(walk.low, walk.high, end);
+    float low = walk.down ? mix(walk.high, walk.low, end) : mix(walk.low, walk.high, begin);
+    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - walk.lean * (0.25 * (high + low) * (high + low));
+    vec4 form = textureLod(shellForm, place, level);
+    float a = covered(form.r, codeOf(low), sharpness) * step(form.b, grown) * clear;
+    hit.height += a * clamp(heightOf(form.r), low, high);
+    if (a > best) {
+      best = a;
+      hit.form = form;
+      hit.place = place;
+    }
+    clear -= a;
+    if (clear < 0.05) break;
+  }
+  hit.cover = 1.0 - clear;
+  hit.height /= max(hit.cover, 1e-4);
+  return hit;
+}
+#endif
+
+vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
+  vec4 texel = textureLod(shellColour, hit.place, level);
+  float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
+  vec3 upper = texel.rgb;
+  vec3 green = upper * mix(shell.root.rgb * texel.a, vec3(1.0), smoothstep(0.0, 1.0, along));
+  vec3 straw = mix(upper * shell.root.rgb * texel.a * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, along));
+  vec3 albedo = mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * v.light.z;
+#ifndef SURFACE
+  albedo *= mapColour(slab.root.xz);
+#endif
+  float intensity = length(slab.bend);
+  float lean = pow(hit.height, shell.rings.w) * SHELL_HALF_PI * intensity;
+  vec3 up = normalize(v.up);
+  vec3 stem = up * cos(lean) + slab.bend * (sin(lean) / max(intensity, 1e-4));
+  stem = normalize(stem + 2.0 * hit.height * alongSurface(vec3(clump.x, 0.0, clump.y), up));
+  float canopy = grass.baseColour.w * v.size.z;
+#ifdef SURFACE
+  canopy *= surface.x;
+#endif
+  GrassLight at;
+  at.height = mix(1.0, clamp(hit.height * v.size.x / max(canopy, 1e-3), 0.0, 1.0), smoothstep(0.25, 0.7, v.size.z));
+  at.dense = grass.levels.z;
+  at.sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
+  at.shade = heightWindShade(along * mix(1.0, stem.y, 0.5), v.light.w) * mix(v.shade.y, 1.0, 0.5 * at.height);
+  albedo = laidAlbedo(albedo * (0.85 + 0.3 * hit.form.a), dot(stem, up));
+  return lightCanopy(albedo, stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
+}
+
+// The canopy where its blades can't be told apart: as the ground far away has it, so that no seam shows.
+vec3 litAfar(Hit hit, Slab slab, vec3 eye) {
+  float sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
+  vec3 light = meadowColour(slab.root.xz, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(v.shade.y, 1.0, 0.5);
+#ifndef SURFACE
+  light *= mapColour(slab.root.xz);
+#endif
+  return light * v.light.z / max(meadowPatch(slab.root.xz).y, 0.1) * (0.75 + 0.5 * hit.form.a);
+}
+
+void main() {
+  vec3 eye = directionToCamera(v.place);
+  float perMetre = pixelsPerMetre(v.place);
+#ifdef SURFACE
+  perMetre *= surface.x;
+#endif
+  float level = min(log2(shell.size.z / perMetre) + kBlur, shell.size.w);
+  Slab slab = slabHere();
+  vec2 clump = (noiseAtLevel(slab.own.xz, kClumpLeanM, log2(256.0 / (kClumpLeanM * perMetre))).rg - 0.5) * (8.0 * shell.bend.z);
+  Walk walk = walkOf(slab, -eye, clump);
+  if (walk.high <= walk.low) discard;
+  Hit hit = walked(walk, level, v.light.x);
+  // Blades narrower than a pixel: more and more the canopy as a whole is seen.
+  float afar = smoothstep(1.2, 0.3, grass.size.x * perMetre);
+#ifndef SLICES
+  hit.cover = mix(hit.cover, v.light.x, afar);
+#endif
+  // Grass too low to be seen is left to the ground.
+  hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, v.size.x * perMetre) : 1.0;
+#ifdef ONE_SAMPLE
+  if (hit.cover < 0.5) discard;
+#else
+  float samples = shell.look.z;
+  int count = int(hit.cover * samples + 0.5);
+  if (count <= 0) discard;
+  // Other samples for each shell, so that what two half cover is not the same half.
+  uint turn = (uint(heights.y * shell.table.x + 0.5) * 5u >> 1u) % uint(samples);
+  uint bits = (1u << uint(count)) - 1u;
+  gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
+#endif
+  vec3 light = litHit(hit, slab, clump, level, eye);
+#ifndef SURFACE
+  light = mix(light, litAfar(hit, slab, eye), afar);
+#endif
+  writeScene(throughAir(light, v.place));
+}
