@@ -16,7 +16,7 @@ constexpr glm::ivec2 kSizes[] = {{640, 480}, {1024, 768}, {1920, 1080}, {3840, 2
 constexpr std::ptrdiff_t kSizesInSoftware = 2;
 // Part of the time that a row may take: a software renderer would take as long for each of these many rows.
 constexpr double kCapInSoftware = 0.25;
-constexpr glm::ivec2 kComparedSize{1920, 1080}, kComparedSizeInSoftware{640, 360}, kQuickSize{128, 96};
+constexpr glm::ivec2 kComparedSize{1920, 1080}, kComparedSizeInSoftware{320, 180}, kQuickSize{128, 96};
 // Over the ground, which the paper counts as one more.
 constexpr int kPlainShells[] = {8, 16, 32, 64};
 constexpr double kMoment = 8.0;  // s: the gust is in the middle of the prairie
@@ -41,12 +41,9 @@ Project withPlain(Project project, int shells) {
   return project;
 }
 
-double grassMs(const FrameTimes& times) {
-  double sum = 0;
-  for (const auto& [stage, ms] : times.stages.items()) {
-    if (stage.starts_with("grass shells")) sum += ms.get<double>();
-  }
-  return sum;
+/// What the grass adds to bare ground. Not its stages' times: a software renderer does their work later.
+double grassMs(const FrameTimes& times, const FrameTimes& ground) {
+  return times.frameMs - ground.frameMs;
 }
 
 std::string text(glm::ivec2 size) {
@@ -103,7 +100,7 @@ struct ShellBench {
                     {"shells", shells},
                     {"frame ms", times.frameMs},
                     {"fps", 1000.0 / std::max(times.frameMs, 1e-6)},
-                    {"grass ms", grassMs(times)},
+                    {"grass ms", grassMs(times, ground)},
                     {"triangles", std::max(times.triangles - ground.triangles, 0LL)},
                     {"layers", times.shell.layers},
                     {"fragments a pixel", static_cast<double>(times.fragments) / pixels},
@@ -137,6 +134,9 @@ struct ShellBench {
   Status addCompared(const Scene& scene, const Camera& camera, glm::ivec2 size) {
     Result<FrameBench> frames = FrameBench::create(setup, size);
     if (!frames) return frames.error();
+    const Result<FrameTimes> ground =
+        measured(*frames, scene, withKind(scene.project, GrassKind::None), camera, kOwnSamples);
+    if (!ground) return ground.error();
     const Result<FrameTimes> plain =
         measured(*frames, scene, withPlain(scene.project, kPlainShells[3]), camera, kOwnSamples);
     if (!plain) return plain.error();
@@ -144,17 +144,18 @@ struct ShellBench {
     const Result<FrameTimes> ours = measured(*frames, scene, scene.project, camera, kOwnSamples);
     if (!ours) return ours.error();
     const FloatImage seen = halfLuma(frames->picture());
+    const double ourMs = grassMs(*ours, *ground), plainMs = grassMs(*plain, *ground);
     rows.push_back({{"what", "compared"},
                     {"camera", scene.name + " " + camera.name},
                     {"size", text(size)},
                     {"samples", "own"},
                     {"shells", std::to_string(scene.project.shell->shells + 1) + " filled"},
                     {"frame ms", ours->frameMs},
-                    {"grass ms", grassMs(*ours)},
+                    {"grass ms", ourMs},
                     {"65 plain: frame ms", plain->frameMs},
-                    {"65 plain: grass ms", grassMs(*plain)},
+                    {"65 plain: grass ms", plainMs},
                     {"cost, frame", ours->frameMs / std::max(plain->frameMs, 1e-6)},
-                    {"cost, grass", grassMs(*ours) / std::max(grassMs(*plain), 1e-6)},
+                    {"cost, grass", ourMs / std::max(plainMs, 1e-6)},
                     {"SSIM", meanSsim(seen, expected)},
                     {"brightness %", 100 * meanOf(seen) / meanOf(expected)},
                     {"layers", ours->shell.layers},
@@ -199,6 +200,7 @@ Result<std::vector<BenchRow>> benchShell(const BenchSetup& asked) {
   const glm::ivec2 compared = bench.comparedSize();
   if (Status added = bench.addTable(*prairie, *worst, compared, kOwnSamples); !added) return added.error();
   for (const Camera& camera : cameras) {
+    if (setup.size == BenchSize::Quick && camera.name != cameras.front().name && camera.name != kWorst) continue;
     if (Status added = bench.addCompared(*prairie, camera, compared); !added) return added.error();
   }
   const Result<Scene> knoll = sceneOf(setup, "knoll");
