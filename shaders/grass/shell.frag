@@ -36,6 +36,14 @@ in ShellVertex {
 } v;
 flat in vec3 heights;
 
+const float kSharpness = 5.0;
+// Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
+const float kBlur = 0.7;
+// Light at the foot of upright blades is that of leaning ones so high up: fewer of them stand in its way.
+const float kThinned = 0.65;
+// Size of the noise that blades in still air lean by.
+const float kClumpLeanM = 4.0;
+
 // The slab between two shells where the ray meets it.
 struct Slab {
   vec3 own, root;     // as ShellVertex
@@ -77,7 +85,7 @@ struct Walk {
   vec2 from, along;      // squares of the texture
   float high, low;       // heights at its upper and its lower end, 0..1
   bool down;             // it begins at the upper end
-  vec2 lean;             // of blades in still air at the tip, squares of the texture
+  vec2 lean, leanEnd;    // of blades in still air at the tip, where it begins and where it ends, squares of the texture
 };
 
 #ifdef SURFACE
@@ -88,7 +96,13 @@ vec2 onTexture(vec3 own, vec3 facing) {
 }
 #endif
 
-Walk walkOf(Slab at, vec3 ray, vec2 clump) {
+// Of the clump at a place of the texture, over the blades' height.
+vec2 clumpLean(vec2 place, float perMetre) {
+  float level = log2(256.0 / (kClumpLeanM * perMetre));
+  return (noiseAtLevel(place / shell.size.y, kClumpLeanM, level).rg - 0.5) * (5.0 * shell.bend.z);
+}
+
+Walk walkOf(Slab at, vec3 ray, float perMetre) {
   vec3 n = normalize(v.normal);
   float facing = dot(ray, n);
   Walk walk;
@@ -104,7 +118,9 @@ Walk walkOf(Slab at, vec3 ray, vec2 clump) {
   walk.from = at.own.xz * shell.size.y;
   walk.along = along.xz * shell.size.y;
 #endif
-  walk.lean = clump * (v.size.x * shell.size.y);
+  float tip = v.size.x * shell.size.y;
+  walk.lean = clumpLean(walk.from, perMetre) * tip;
+  walk.leanEnd = clumpLean(walk.from + walk.along, perMetre) * tip;
   walk.high = walk.down ? heights.y : heights.z;
   walk.low = walk.down ? heights.x : heights.y;
   return walk;
@@ -119,12 +135,6 @@ struct Hit {
   vec4 form;     // of the texture
   vec2 place;    // in it
 };
-
-const float kSharpness = 5.0;
-// Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
-const float kBlur = 0.5;
-// Size of the noise that blades in still air lean by.
-const float kClumpLeanM = 4.0;
 
 // Part of a pixel that a texel covers which is `code` high, cut at `cut`: an edge is about a pixel wide, however large texels are.
 float covered(float code, float cut, float sharpness) { return clamp((code - cut) * sharpness + 0.5, 0.0, 1.0) * step(0.004, code); }
@@ -152,7 +162,7 @@ Hit walked(Walk walk, float level, float grown) {
     float begin = float(i) / float(steps), end = float(i + 1) / float(steps);
     float high = walk.down ? mix(walk.high, walk.low, begin) : mix(walk.low, walk.high, end);
     float low = walk.down ? mix(walk.high, walk.low, end) : mix(walk.low, walk.high, begin);
-    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - walk.lean * (0.25 * (high + low) * (high + low));
+    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - mix(walk.lean, walk.leanEnd, 0.5 * (begin + end)) * (0.25 * (high + low) * (high + low));
     vec4 form = textureLod(shellForm, place, level);
     float a = covered(form.r, codeOf(low), sharpness) * step(form.b, grown) * clear;
     hit.height += a * clamp(heightOf(form.r), low, high);
@@ -199,7 +209,7 @@ vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
   canopy *= surface.x;
 #endif
   GrassLight at;
-  at.height = mix(1.0, clamp(hit.height * v.size.x / max(canopy, 1e-3), 0.0, 1.0), smoothstep(0.25, 0.7, v.size.z));
+  at.height = mix(1.0, mix(kThinned, 1.0, clamp(hit.height * v.size.x / max(canopy, 1e-3), 0.0, 1.0)), smoothstep(0.25, 0.7, v.size.z));
   at.dense = grass.levels.z;
   at.sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
   at.shade = heightWindShade(along * mix(1.0, stem.y, 0.5), v.light.w) * mix(openHere(), 1.0, 0.5 * at.height);
@@ -214,29 +224,31 @@ vec3 litAfar(Hit hit, Slab slab, vec3 eye) {
 #ifndef SURFACE
   light *= mapColour(slab.root.xz);
 #endif
-  return light * v.light.z / max(meadowPatch(slab.root.xz).y, 0.1) * (0.75 + 0.5 * hit.form.a);
+  vec4 fine = noiseAt(slab.root.xz, 1.9), mid = noiseAt(slab.root.zx, 8.3);
+  float grain = 1.0 + 0.35 * (mid.a + fine.b - 1.0) + 0.5 * (hit.form.a - 0.5);
+  return light * (grain * v.light.z / max(meadowPatch(slab.root.xz).y, 0.1));
 }
 
 void main() {
   vec3 eye = directionToCamera(v.place);
   float perMetre = pixelsPerMetre(v.place);
+  float tall = v.size.x * perMetre;
 #ifdef SURFACE
-  perMetre *= surface.x;
+  perMetre *= surface.x;  // of the texture
 #endif
   float level = min(log2(shell.size.z / perMetre) + kBlur, shell.size.w);
   Slab slab = slabHere();
-  vec2 clump = (noiseAtLevel(slab.own.xz, kClumpLeanM, log2(256.0 / (kClumpLeanM * perMetre))).rg - 0.5) * (8.0 * shell.bend.z);
-  Walk walk = walkOf(slab, -eye, clump);
+  Walk walk = walkOf(slab, -eye, perMetre);
   // Nothing grows in solids.
   if (walk.high <= walk.low || v.shade.y < 0.0) discard;
   Hit hit = walked(walk, level, v.light.x);
   // Blades narrower than a pixel: more and more the canopy as a whole is seen.
-  float afar = smoothstep(1.2, 0.3, grass.size.x * perMetre);
+  float afar = smoothstep(0.9, 0.2, grass.size.x * perMetre);
 #ifndef SLICES
   hit.cover = mix(hit.cover, v.light.x, afar);
 #endif
   // Grass too low to be seen is left to the ground.
-  hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, v.size.x * perMetre) : 1.0;
+  hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, tall) : 1.0;
 #ifdef ONE_SAMPLE
   if (hit.cover < 0.5) discard;
 #else
@@ -248,7 +260,7 @@ void main() {
   uint bits = (1u << uint(count)) - 1u;
   gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
 #endif
-  vec3 light = litHit(hit, slab, clump, level, eye);
+  vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, eye);
 #ifndef SURFACE
   light = mix(light, litAfar(hit, slab, eye), afar);
 #endif

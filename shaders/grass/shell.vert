@@ -102,7 +102,7 @@ void main() {
   margin = inMargin(place);
   float share = mapHeight(place) * mix(1.0, 0.3, smoothstep(0.0, 0.8, beyondField(place) / grass.tileCentre.z));
   float tufts = noiseAtLevel(place, 11.0, 1.0).b + noiseAtLevel(place.yx, 4.3, 1.0).r - 1.0;
-  height *= share * (1.0 + 0.5 * grass.size.z * tufts);
+  height *= share * (1.0 + 0.3 * grass.size.z * tufts);
   float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0);
   vec2 broad = meadowPatch(place);
   SolidsNear solids = solidsNear(place);
@@ -124,4 +124,6 @@ void main() {
   v.light = vec4(grown, broad.x, broad.y * slopeLight(v.normal, sunlit) * shaded, shadeForce(length(v.shade.zw)));
   heights = vec3(float(lower), float(end), float(upper)) / shell.table.x;
   gl_Position = frame.viewProjection * vec4(v.place, 1.0);
+  // Blades that lie flat bring shells together: the upper one is seen.
+  gl_Position.z -= 4e-6 * heights.y * gl_Position.w;
 }
