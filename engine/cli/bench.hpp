@@ -49,6 +49,7 @@ Result<std::vector<BenchRow>> benchSolver(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchMeadowTable(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchGrassland(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchBezier(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchShell(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchPicture(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchLoad(const BenchSetup& setup);

@@ -5,9 +5,8 @@
 #include <algorithm>
 
 #include "engine/cli/bench_frames.hpp"
-#include "engine/core/file.hpp"
+#include "engine/cli/bench_project.hpp"
 #include "engine/gpu/memory.hpp"
-#include "engine/io/picture_compare.hpp"
 #include "engine/model/collider_motion.hpp"
 #include "engine/render/framing.hpp"
 #include "shaders/shared/bezier_blade.h"
@@ -85,9 +84,7 @@ constexpr Line kLines[] = {
 };
 
 Result<Project> sampleProject(const std::string& name, BenchSize size) {
-  const Result<std::filesystem::path> folder = findDataFolder("projects");
-  if (!folder) return folder.error();
-  Result<Project> project = loadWithWarnings((*folder / name / (name + ".wind.json")).string());
+  Result<Project> project = benchSample(name);
   if (!project || size == BenchSize::Full) return project;
   FieldSettings field = *project->field;
   field.resolution = {32, 32};
@@ -108,15 +105,6 @@ Project withoutCollision(const Project& project) {
   Project muted = project;
   muted.colliders = std::make_shared<std::vector<Collider>>(std::move(colliders));
   return muted;
-}
-
-FloatImage halfLuma(const gpu::Framebuffer& target) {
-  const std::vector<unsigned char> rgba = target.readRgba8();
-  Image image(target.size().x, target.size().y, 3);
-  for (std::size_t i = 0; i * 4 < rgba.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
-  }
-  return lumaOf(boxFiltered(image, 2));
 }
 
 struct BezierBench {

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "engine/cli/bench_timing.hpp"
+#include "engine/cli/draw_work.hpp"
 #include "engine/gpu/memory.hpp"
 
 namespace windloom::cli {
@@ -57,8 +58,10 @@ FrameTimes summary(const Run& run) {
   }
   times.drawn = run.stats.bladesDrawn;
   times.bezier = run.stats.bezier;
+  times.shell = run.stats.shell;
   times.shapeBytes = gpu::bytesInUse("bezier blades");
   times.stateBytes = gpu::bytesInUse("bezier states");
+  times.shellBytes = gpu::bytesInUse("shell");
   times.grassBytes = gpu::bytesInUse("grass");
   times.allBytes = gpu::bytesInUse();
   return times;
@@ -79,7 +82,8 @@ Result<FrameBench> FrameBench::create(const BenchSetup& setup, glm::ivec2 size) 
 
 Result<FrameTimes> FrameBench::run(const Project& project, Simulation* simulation, const ViewCamera& camera,
                                    const FrameQuality& quality, const BezierCulling& culling) {
-  Run run{*m_renderer, simulation, benchFrame(project, {}, camera, m_target), gpu::GpuTimer(), {}, {}, {}};
+  Run run{*m_renderer, simulation, benchFrame(project, m_wind, camera, m_target), gpu::GpuTimer(), {}, {}, {}};
+  run.input.time = m_time;
   run.input.quality = quality;
   run.input.bezierCulling = culling;
   m_target.clearColour({1.0f, 0.0f, 1.0f, 0.0f});
@@ -109,7 +113,17 @@ Result<FrameTimes> FrameBench::run(const Project& project, Simulation* simulatio
   times.frameMs = frames.median;
   times.wallMs = median(wall);
   times.frames = frames.runs * batch;
+  if (m_counts) {
+    const DrawWork work = drawWork([&] { run.frame(); });
+    times.triangles = work.triangles;
+    times.fragments = work.fragments;
+  }
   return times;
+}
+
+void FrameBench::hold(const WindTexture& wind, double time) {
+  m_wind = wind;
+  m_time = time;
 }
 
 Result<std::unique_ptr<Simulation>> benchWind(const BenchSetup& setup, const Project& project) {

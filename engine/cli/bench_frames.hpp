@@ -18,9 +18,14 @@ struct FrameTimes {
   double wallMs = 0;     ///< the same on the wall clock
   long long drawn = 0;   ///< blades
   BezierCounts bezier;   ///< of the last frame
+  ShellCounts shell;     ///< of the last frame
   int frames = 0;        ///< measured
+  /// Of one frame, everything in it: drawn triangles, shaded fragments. Only where FrameBench::countWork was called;
+  /// fragments are 0 where the driver doesn't count them.
+  long long triangles = 0, fragments = 0;
   std::size_t grassBytes = 0, allBytes = 0;    ///< of GPU memory while it ran
   std::size_t shapeBytes = 0, stateBytes = 0;  ///< the Bezier blades' part of it
+  std::size_t shellBytes = 0;                  ///< the shells'
   Json stages = Json::object();                ///< of the picture, ms
 };
 
@@ -29,16 +34,26 @@ class FrameBench {
   /// Fails with Machine. The setup must have a context and outlive this.
   static Result<FrameBench> create(const BenchSetup& setup, glm::ivec2 size);
 
-  /// `simulation` null: still air, nothing is solved.
+  /// `simulation` null: nothing is solved; the air is as `hold` has it, else still.
   /// Fails with Machine where the picture couldn't be drawn (no memory).
   Result<FrameTimes> run(const Project& project, Simulation* simulation, const ViewCamera& camera,
                          const FrameQuality& quality, const BezierCulling& culling = {});
+
+  /// For runs without a simulation: this wind, at this time, in every frame. It must outlive them.
+  void hold(const WindTexture& wind, double time);
+  /// Runs draw one more frame and count its triangles and fragments.
+  void countWork() { m_counts = true; }
+  /// The last frame drawn.
+  [[nodiscard]] const gpu::Framebuffer& picture() const { return m_target; }
 
  private:
   explicit FrameBench(const BenchSetup& setup) : m_setup(&setup) {}
   const BenchSetup* m_setup;
   std::unique_ptr<FrameRenderer> m_renderer;
   gpu::Framebuffer m_target;
+  WindTexture m_wind{};
+  double m_time = 0;
+  bool m_counts = false;
 };
 
 /// The wind of a meadow on the GPU.

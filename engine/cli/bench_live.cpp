@@ -1,10 +1,11 @@
-// The meadow as the editor plays it, without its window: the wind on a grid that keeps up, the grass at the detail that
-// quality control finds. Tells how fast it gets and whether it comes to rest.
+// The meadow, and the prairie of shell grass, as the editor plays it, without its window: the wind on a grid that keeps
+// up, the grass at the detail that quality control finds. Tells how fast it gets and whether it comes to rest.
 #include <epoxy/gl.h>
 
 #include <algorithm>
 #include <chrono>
 
+#include "engine/cli/bench_project.hpp"
 #include "engine/cli/bench_timing.hpp"
 #include "engine/cli/bench_views.hpp"
 #include "engine/model/templates.hpp"
@@ -72,8 +73,22 @@ struct Live {
   }
 };
 
+const char* kindName(GrassKind kind) {
+  switch (kind) {
+    case GrassKind::Instanced:
+      return "instanced";
+    case GrassKind::Bezier:
+      return "bezier";
+    case GrassKind::Shell:
+      return "shell";
+    case GrassKind::None:
+      break;
+  }
+  return "none";
+}
+
 /// Plays the project, once to settle and once to count.
-Status addPlayed(const BenchSetup& setup, const Project& project, std::vector<BenchRow>& rows) {
+Status addPlayed(const BenchSetup& setup, const char* name, const Project& project, std::vector<BenchRow>& rows) {
   const bool quick = setup.size == BenchSize::Quick;
   SessionOptions options;
   options.context = setup.context;
@@ -89,11 +104,11 @@ Status addPlayed(const BenchSetup& setup, const Project& project, std::vector<Be
   live.view.size = target->size();
   live.view.framebuffer = target->name();
   const double seconds = quick ? 0.5 : 10.0;
-  for (const char* name : {"settling", "settled"}) {
+  for (const char* part : {"settling", "settled"}) {
     Stretch stretch;
     for (double spent = 0; spent < seconds; spent += live.lastMs * 1e-3) live.frame(stretch);
-    BenchRow row = {{"grass", project.grass->kind == GrassKind::Bezier ? "bezier" : "instanced"}};
-    row.update(rowOf(name, stretch, live.quality.detail(), (*session)->status()));
+    BenchRow row = {{"sample", name}, {"grass", kindName(project.grass->kind)}};
+    row.update(rowOf(part, stretch, live.quality.detail(), (*session)->status()));
     rows.push_back(std::move(row));
   }
   return Done{};
@@ -109,8 +124,11 @@ Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup) {
     GrassSettings grass = *project.grass;
     grass.kind = kind;
     project.grass = std::make_shared<GrassSettings>(grass);
-    if (Status added = addPlayed(setup, project, rows); !added) return added.error();
+    if (Status added = addPlayed(setup, "meadow", project, rows); !added) return added.error();
   }
+  const Result<Project> prairie = benchSample("prairie");
+  if (!prairie) return prairie.error();
+  if (Status added = addPlayed(setup, "prairie", *prairie, rows); !added) return added.error();
   return rows;
 }
 

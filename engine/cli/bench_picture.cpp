@@ -20,16 +20,6 @@ struct Shown {
   long long drawn = 0;  // blades
 };
 
-/// As it is seen: red, green and blue of an 8-bit picture.
-Image rgbOf(const gpu::Framebuffer& target) {
-  const std::vector<unsigned char> rgba = target.readRgba8();
-  Image image(target.size().x, target.size().y, 3);
-  for (std::size_t i = 0; i * 4 < rgba.size(); ++i) {
-    for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
-  }
-  return image;
-}
-
 Image rounded(const FloatImage& picture) {
   Image image(picture.width, picture.height, picture.channels);
   for (std::size_t i = 0; i < image.pixels.size(); ++i)

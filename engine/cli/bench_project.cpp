@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "engine/cli/common.hpp"
+#include "engine/core/file.hpp"
 #include "engine/core/hash.hpp"
 
 namespace windloom::cli {
@@ -67,6 +69,12 @@ Project benchMeadow(float metres, float density) {
   grass->density = density;
   project.grass = std::move(grass);
   return project;
+}
+
+Result<Project> benchSample(const std::string& name) {
+  const Result<std::filesystem::path> folder = findDataFolder("projects");
+  if (!folder) return folder.error();
+  return loadWithWarnings((*folder / name / (name + ".wind.json")).string());
 }
 
 }  // namespace windloom::cli

@@ -1,6 +1,9 @@
 #pragma once
 // Projects made for measuring.
 
+#include <string>
+
+#include "engine/core/result.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom::cli {
@@ -15,5 +18,8 @@ Project benchWindyMeadow(float metres, float density, int cells);
 
 /// Grass of `density` blades per square metre on a field of `metres` x `metres`.
 Project benchMeadow(float metres, float density);
+
+/// The sample of this name, with what it refers to. Fails where samples aren't installed.
+Result<Project> benchSample(const std::string& name);
 
 }  // namespace windloom::cli

@@ -41,6 +41,19 @@ Result<gpu::Framebuffer> benchTarget(glm::ivec2 size) {
   return gpu::Framebuffer::create("bench picture", size, {.colour = GL_RGBA8, .depth = 0});
 }
 
+Image rgbOf(const gpu::Framebuffer& target) {
+  const std::vector<unsigned char> rgba = target.readRgba8();
+  Image image(target.size().x, target.size().y, 3);
+  for (std::size_t i = 0; i * 4 < rgba.size(); ++i) {
+    for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];
+  }
+  return image;
+}
+
+FloatImage halfLuma(const gpu::Framebuffer& target) {
+  return lumaOf(boxFiltered(rgbOf(target), 2));
+}
+
 FrameInput benchFrame(const Project& project, const WindTexture& wind, const ViewCamera& camera,
                       const gpu::Framebuffer& target) {
   FrameInput input;

@@ -6,6 +6,7 @@
 #include "engine/cli/bench.hpp"
 #include "engine/gpu/framebuffer.hpp"
 #include "engine/gpu/texture.hpp"
+#include "engine/io/picture_compare.hpp"
 #include "engine/render/frame_renderer.hpp"
 
 namespace windloom::cli {
@@ -33,6 +34,12 @@ Result<gpu::Texture> benchWhirls(const GridMapping& grid);
 
 /// An 8-bit target without depth, what a window is.
 Result<gpu::Framebuffer> benchTarget(glm::ivec2 size);
+
+/// As it is seen: red, green and blue of an 8-bit picture.
+Image rgbOf(const gpu::Framebuffer& target);
+
+/// Luma of a target of even size, averaged down to half its width and height.
+FloatImage halfLuma(const gpu::Framebuffer& target);
 
 /// A frame of a shot without overlays; project and wind must outlive it.
 FrameInput benchFrame(const Project& project, const WindTexture& wind, const ViewCamera& camera,

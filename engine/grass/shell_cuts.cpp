@@ -10,7 +10,7 @@
 namespace windloom {
 namespace {
 
-constexpr std::size_t kProfileParts = 256, kCodeParts = 2048;
+constexpr std::size_t kProfileParts = 256, kHeightParts = 1024;
 constexpr float kTaperPower = 1.5f;
 constexpr float kLeastRadius = 0.5f;  // texels
 
@@ -23,9 +23,12 @@ class CutTables {
       const float r = std::sqrt((static_cast<float>(i) + 0.5f) / static_cast<float>(kProfileParts));
       m_profile[i] = r <= 1.0f - taper ? 1.0f : std::pow((1.0f - r) / taper, 1.0f / kTaperPower);
     }
-    for (std::size_t i = 0; i < m_codes.size(); ++i) {
-      const float height = static_cast<float>(i) / static_cast<float>(kCodeParts);
-      m_codes[i] = std::max(shellByte(shared::shellAlphaOf(height, shell.heightCurve)), std::uint8_t{1});
+    for (std::size_t code = 1; code < 255; ++code) {
+      m_between[code - 1] = shared::shellHeightOf((static_cast<float>(code) + 0.5f) / 255.0f, shell.heightCurve);
+    }
+    for (std::size_t i = 0; i < m_first.size(); ++i) {
+      const float height = static_cast<float>(i) / static_cast<float>(kHeightParts);
+      m_first[i] = static_cast<std::uint8_t>(1 + (std::ranges::upper_bound(m_between, height) - m_between.begin()));
     }
   }
 
@@ -33,14 +36,17 @@ class CutTables {
   [[nodiscard]] float profile(float squared) const {
     return m_profile[static_cast<std::size_t>(squared * static_cast<float>(kProfileParts))];
   }
-  /// `height` over the tallest, 0..1.
+  /// `height` over the tallest, 0..1. Never 0, which is bare ground.
   [[nodiscard]] std::uint8_t code(float height) const {
-    return m_codes[static_cast<std::size_t>(std::min(height, 1.0f) * static_cast<float>(kCodeParts) + 0.5f)];
+    std::uint8_t code = m_first[static_cast<std::size_t>(std::min(height, 1.0f) * static_cast<float>(kHeightParts))];
+    while (code < 255 && height >= m_between[code - 1u]) ++code;
+    return code;
   }
 
  private:
   std::array<float, kProfileParts> m_profile{};
-  std::array<std::uint8_t, kCodeParts + 1> m_codes{};
+  std::array<float, 254> m_between{};                    ///< heights between codes 1 and 2, 2 and 3 and so on
+  std::array<std::uint8_t, kHeightParts + 1> m_first{};  ///< code at each of so many heights, to begin with
 };
 
 struct Pixel {
@@ -68,17 +74,19 @@ class Cutter {
     const glm::ivec2 low(glm::ceil(root - reach - 0.5f)), high(glm::floor(root + reach - 0.5f));
     for (int y = low.y; y <= high.y; ++y) {
       for (int x = low.x; x <= high.x; ++x) {
+        const std::size_t at = indexOf(x, y);
+        if (m_level.form[at].r >= pixel.form.g) continue;
         const glm::vec2 away = glm::vec2(x, y) + 0.5f - root;
         const float u = glm::dot(away, blade.along) / radii.x, v = glm::dot(away, across) / radii.y;
         const float squared = u * u + v * v;
         if (squared >= 1.0f) continue;
         pixel.form.r = m_tables.code(height * m_tables.profile(squared));
-        put({x, y}, pixel);
+        put(at, pixel);
       }
     }
     // However the texels lie, it has its whole height somewhere.
     pixel.form.r = pixel.form.g;
-    put(glm::ivec2(glm::floor(root)), pixel);
+    put(indexOf(static_cast<int>(root.x), static_cast<int>(root.y)), pixel);
   }
 
  private:
@@ -86,12 +94,15 @@ class Cutter {
   CutTables m_tables;
   SrgbCodes m_codes;
 
-  void put(glm::ivec2 at, const Pixel& pixel) {
+  [[nodiscard]] std::size_t indexOf(int x, int y) const {
     const int mask = m_level.side - 1;
-    const auto i = static_cast<std::size_t>((at.y & mask) * m_level.side + (at.x & mask));
-    if (m_level.form[i].r >= pixel.form.r) return;
-    m_level.form[i] = pixel.form;
-    m_level.colour[i] = pixel.colour;
+    return static_cast<std::size_t>((y & mask) * m_level.side + (x & mask));
+  }
+
+  void put(std::size_t at, const Pixel& pixel) {
+    if (m_level.form[at].r >= pixel.form.r) return;
+    m_level.form[at] = pixel.form;
+    m_level.colour[at] = pixel.colour;
   }
 };
 

@@ -66,8 +66,12 @@ std::vector<std::size_t> representatives(const ShellLevel& finer, std::size_t si
     const std::size_t wanted = (group & 4u) != 0 && place % 2 == 1 ? place ^ 2u : place;
     auto from = finerOf(i, side);
     std::rotate(from.begin(), from.begin() + (pcgHash(group + static_cast<std::uint32_t>(i)) & 3u), from.end());
-    const auto lower = [&](std::size_t a, std::size_t b) { return finer.form[a].r < finer.form[b].r; };
-    std::stable_sort(from.begin(), from.end(), lower);
+    // Sorted by insertion: four are too few for anything else.
+    for (std::size_t k = 1; k < 4; ++k) {
+      for (std::size_t n = k; n > 0 && finer.form[from[n]].r < finer.form[from[n - 1]].r; --n) {
+        std::swap(from[n], from[n - 1]);
+      }
+    }
     chosen[i] = from[wanted];
   }
   return chosen;

@@ -24,12 +24,29 @@ int sideOf(int texels) {
   return static_cast<int>(wanted - below > 2 * below - wanted ? 2 * below : below);
 }
 
+/// The largest code that isn't higher than `height`.
+int lastCodeUnder(float height, float heightCurve) {
+  return static_cast<int>(255.0f * shared::shellAlphaOf(std::clamp(height, 0.0f, 1.0f), heightCurve));
+}
+
+/// ShellTexture::cover.
+std::array<float, kShellCovers> coverOf(const ShellLevel& level, float heightCurve) {
+  std::array<std::size_t, 256> texels{};
+  for (const glm::u8vec4 form : level.form) ++texels[form.r];
+  std::array<float, kShellCovers> cover{};
+  std::size_t above = 0, code = texels.size();
+  for (std::size_t i = cover.size(); i-- > 0;) {
+    const int under = lastCodeUnder(static_cast<float>(i) / kShellCovers, heightCurve);
+    while (code > static_cast<std::size_t>(under) + 1) above += texels[--code];
+    cover[i] = static_cast<float>(above) / static_cast<float>(level.form.size());
+  }
+  return cover;
+}
+
 /// Everything that follows from the first level, the tile and the blades.
 void finish(ShellTexture& texture) {
   const ShellLevel& first = texture.levels.front();
-  for (std::size_t i = 0; i < texture.cover.size(); ++i) {
-    texture.cover[i] = shellCover(first, static_cast<float>(i) / kShellCovers, texture.heightCurve);
-  }
+  texture.cover = coverOf(first, texture.heightCurve);
   texture.meanColour = shellMeanColour(first);
   const float covered = texture.cover[0] * static_cast<float>(first.form.size());
   addShellLevels(texture.levels, std::sqrt(covered / static_cast<float>(std::max(texture.blades, 1LL))));
@@ -64,9 +81,8 @@ ShellTexture shellTextureOf(const GrassMap& picture, const GrassSettings& grass,
 }
 
 float shellCover(const ShellLevel& level, float height, float heightCurve) {
-  const float alpha = 255.0f * shared::shellAlphaOf(std::clamp(height, 0.0f, 1.0f), heightCurve);
-  const auto above =
-      std::ranges::count_if(level.form, [&](glm::u8vec4 form) { return static_cast<float>(form.r) > alpha; });
+  const int under = lastCodeUnder(height, heightCurve);
+  const auto above = std::ranges::count_if(level.form, [&](glm::u8vec4 form) { return form.r > under; });
   return static_cast<float>(above) / static_cast<float>(std::max(level.form.size(), std::size_t{1}));
 }
 

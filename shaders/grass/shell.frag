@@ -9,6 +9,7 @@
 #include "shaders/include/meadow.glsl"
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/scene_output.glsl"
+#include "shaders/include/solids.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/shell_bend.glsl"
 
@@ -169,6 +170,15 @@ Hit walked(Walk walk, float level, float grown) {
 }
 #endif
 
+// Beside solids, and on the underside of surfaces, less of the sky is seen.
+float openHere() {
+#ifdef SURFACE
+  return 0.6 + 0.4 * v.normal.y;
+#else
+  return openness(v.shade.y);
+#endif
+}
+
 vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
   vec4 texel = textureLod(shellColour, hit.place, level);
   float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
@@ -192,7 +202,7 @@ vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
   at.height = mix(1.0, clamp(hit.height * v.size.x / max(canopy, 1e-3), 0.0, 1.0), smoothstep(0.25, 0.7, v.size.z));
   at.dense = grass.levels.z;
   at.sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
-  at.shade = heightWindShade(along * mix(1.0, stem.y, 0.5), v.light.w) * mix(v.shade.y, 1.0, 0.5 * at.height);
+  at.shade = heightWindShade(along * mix(1.0, stem.y, 0.5), v.light.w) * mix(openHere(), 1.0, 0.5 * at.height);
   albedo = laidAlbedo(albedo * (0.85 + 0.3 * hit.form.a), dot(stem, up));
   return lightCanopy(albedo, stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
 }
@@ -200,7 +210,7 @@ vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
 // The canopy where its blades can't be told apart: as the ground far away has it, so that no seam shows.
 vec3 litAfar(Hit hit, Slab slab, vec3 eye) {
   float sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
-  vec3 light = meadowColour(slab.root.xz, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(v.shade.y, 1.0, 0.5);
+  vec3 light = meadowColour(slab.root.xz, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(openHere(), 1.0, 0.5);
 #ifndef SURFACE
   light *= mapColour(slab.root.xz);
 #endif
@@ -217,7 +227,8 @@ void main() {
   Slab slab = slabHere();
   vec2 clump = (noiseAtLevel(slab.own.xz, kClumpLeanM, log2(256.0 / (kClumpLeanM * perMetre))).rg - 0.5) * (8.0 * shell.bend.z);
   Walk walk = walkOf(slab, -eye, clump);
-  if (walk.high <= walk.low) discard;
+  // Nothing grows in solids.
+  if (walk.high <= walk.low || v.shade.y < 0.0) discard;
   Hit hit = walked(walk, level, v.light.x);
   // Blades narrower than a pixel: more and more the canopy as a whole is seen.
   float afar = smoothstep(1.2, 0.3, grass.size.x * perMetre);

@@ -37,7 +37,7 @@ out ShellVertex {
   vec3 push;         // part of it that colliders give
   vec3 size;         // x tallest blade m; y height of this shell over its root m; z height of the canopy over that of the open meadow
   vec4 light;        // x part of the blades that grow; y dryness; z brightness with the slope's light and colliders'; w |F| of eq. 14
-  vec4 shade;        // x m over the root that solids and hills hide from the sun; y openness; zw wind, m/s
+  vec4 shade;        // x m over the root that solids and hills hide from the sun; y to the nearest solid, m; zw wind, m/s
 } v;
 flat out vec3 heights;  // of the shell below, this one, the one above, 0..1
 
@@ -86,7 +86,7 @@ void main() {
   float grown = surface.z;
   vec2 broad = vec2(0.0, 1.0);
   float sunwards = dot(v.normal, frame.sunDirection.xyz);
-  v.shade.xy = vec2(mix(2.0, -2.0, smoothstep(-0.12, 0.2, sunwards)) * height, 0.6 + 0.4 * v.normal.y);
+  v.shade.xy = vec2(mix(2.0, -2.0, smoothstep(-0.12, 0.2, sunwards)) * height, 1e3);
   float shaded = colliderShadeOnSurface(v.root + 0.5 * height * v.up);
   float share = 1.0;
 #else
@@ -106,7 +106,7 @@ void main() {
   float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0);
   vec2 broad = meadowPatch(place);
   SolidsNear solids = solidsNear(place);
-  v.shade.xy = vec2(max(solids.shadowHeight, softened(ground.shadowHeight)), openness(solids.distanceM));
+  v.shade.xy = vec2(max(solids.shadowHeight, softened(ground.shadowHeight)), solids.distanceM);
   float shaded = colliderShade(v.root + vec3(0.0, 0.5 * height, 0.0));
 #endif
   v.bend = shellBend(v.root, v.up, softness);

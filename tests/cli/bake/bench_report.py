@@ -18,9 +18,9 @@ class BenchReport(harness.Case):
 
     def test_measures_every_scene_on_the_cpu_without_opengl(self):
         report = json.loads(self.call("bench", "--quick", "--backend", "cpu", "--json").stdout)
-        self.check(report, ["floor", "solver", "meadow", "grassland", "bezier", "live", "picture", "load", "startup", "runtime"])
+        self.check(report, ["floor", "solver", "meadow", "grassland", "bezier", "shell", "live", "picture", "load", "startup", "runtime"])
         self.assertEqual(report["settings"], {"quick": True, "cpu": True, "gpu": False})
-        for scene in ("meadow", "grassland", "bezier", "live", "picture"):
+        for scene in ("meadow", "grassland", "bezier", "shell", "live", "picture"):
             self.assertEqual(report["scenes"][scene], [], f"{scene} can't be measured without OpenGL")
         solver = {(row["scheme"], row.get("arrows")): row for row in report["scenes"]["solver"]}
         self.assertEqual(list(solver), [("one plain Jacobi sweep", None), ("windloom", 10), ("windloom", 100)])
@@ -69,8 +69,9 @@ class BenchReport(harness.Case):
         for row in report["scenes"]["grassland"]:
             self.assertEqual(row["wind sim ms"] > 0, row["column"] != "A no animation")
             self.assertGreater(row["fps"], 0)
-        self.assertEqual([(row["grass"], row["stretch"]) for row in report["scenes"]["live"]],
-                         [(grass, stretch) for grass in ("instanced", "bezier") for stretch in ("settling", "settled")])
+        played = (("meadow", "instanced"), ("meadow", "bezier"), ("prairie", "shell"))
+        self.assertEqual([(row["sample"], row["grass"], row["stretch"]) for row in report["scenes"]["live"]],
+                         [(sample, grass, stretch) for sample, grass in played for stretch in ("settling", "settled")])
         for row in report["scenes"]["live"]:
             self.assertGreater(row["frame ms"], 0)
             self.assertGreaterEqual(row["changes of detail"], 0)
@@ -94,6 +95,34 @@ class BenchReport(harness.Case):
             self.assertEqual(views, ["hero: SSIM to no culling"])
             for what in views:
                 self.assertTrue(0.3 < table[what]["all features"] <= 1, table[what])
+
+    def test_prints_the_papers_table_of_shell_grass(self):
+        rows = json.loads(self.call("bench", "shell", "--quick", "--backend", "gpu", "--json").stdout)["scenes"]["shell"]
+        table = [row for row in rows if row["what"] == "table"]
+        shells = ["1 (ground)", "9 plain", "17 plain", "33 plain", "65 plain", "9 filled"]
+        self.assertEqual([(row["samples"], row["shells"]) for row in table], [(samples, n) for samples in (1, "own") for n in shells])
+        for row in table:
+            self.assertGreater(row["frame ms"], 0)
+            self.assertAlmostEqual(row["fps"], 1000 / row["frame ms"], delta=1e-3 * row["fps"])
+            self.assertLessEqual(row["textures MB"], 32)
+            ground = row["shells"] == "1 (ground)"
+            for key in ("grass ms", "triangles", "layers"):
+                self.assertEqual(row[key] == 0, ground, (row["shells"], key))
+        for samples in (1, "own"):
+            plain = [row for row in table if row["samples"] == samples and row["shells"].endswith("plain")]
+            for few, more in zip(plain, plain[1:]):
+                for key in ("triangles", "layers"):
+                    self.assertGreater(more[key], few[key], (more["shells"], key))
+                if more["fragments a pixel"] > 0:  # some drivers don't count
+                    self.assertGreater(more["fragments a pixel"], few["fragments a pixel"], more["shells"])
+        compared = [row for row in rows if row["what"] == "compared"]
+        self.assertEqual([row["camera"] for row in compared],
+                         [f"prairie {camera}" for camera in ("hero", "air", "grazing", "near", "top", "worst")] + ["knoll hero"])
+        for row in compared:
+            self.assertTrue(0.3 < row["SSIM"] <= 1, row)
+            self.assertTrue(85 < row["brightness %"] < 115, row)
+            self.assertGreater(row["65 plain: grass ms"], 0)
+            self.assertAlmostEqual(row["cost, frame"], row["frame ms"] / row["65 plain: frame ms"], delta=1e-6)
 
     def test_compares_pictures_and_keeps_them(self):
         folder = self.folder / "pictures"
