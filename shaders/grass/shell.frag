@@ -269,8 +269,8 @@ void main() {
 #endif
 #ifdef SURFACE
   // Its mean, where a blade can't be told from the next.
-  hit.height = mix(hit.height, kMeanSeen, afar);
-  hit.form.g = mix(hit.form.g, codeOf(kMeanSeen), afar);
+  hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
+  hit.form.g = mix(hit.form.g, codeOf(kMeanSeen), 0.8 * afar);
 #endif
   vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, eye);
 #ifndef SURFACE
