@@ -1,6 +1,6 @@
 #pragma once
-// Reading the files of species, colliders, surfaces and pictures of the grass beside the frame loop, and bringing them into
-// the project's folder.
+// Reading the files of species, colliders, surfaces and pictures of the grass beside the frame loop, and bringing them
+// into the project's folder.
 
 #include <filesystem>
 #include <memory>

@@ -285,8 +285,8 @@ void addGrassActions(Workspace& workspace) {
   };
   kind("grass.instanced", "Instanced grass", "Grass of single blades, each drawn", "1", GrassKind::Instanced);
   kind("grass.bezier", "Bezier grass", "Blades with a memory each, on ground and surfaces", "2", GrassKind::Bezier);
-  kind("grass.shell", "Shell grass", "Layers with cuts through blades, on ground and surfaces: quick, and good from afar", "3",
-       GrassKind::Shell);
+  kind("grass.shell", "Shell grass",
+       "Layers with cuts through blades, on ground and surfaces: quick, and good from afar", "3", GrassKind::Shell);
   kind("grass.none", "No grass", "Bare ground, to see the wind alone", "4", GrassKind::None);
 }
 

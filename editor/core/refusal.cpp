@@ -26,11 +26,11 @@ bool isIndex(std::string_view text) {
 /// "graph/arrows/3/radius" as "The arrow's radius".
 std::string subject(std::string_view pointer) {
   constexpr std::pair<std::string_view, std::string_view> kNouns[] = {
-      {"points", "The point"},         {"arrows", "The arrow"},    {"signals", "The signal"},
-      {"obstacles", "The obstacle"},   {"species", "The species"}, {"colliders", "The collider"},
-      {"surfaces", "The surface"},     {"rotors", "The rotor"},    {"probes", "The probe"},
-      {"cameras", "The camera"},       {"field", "The field"},     {"solver", "The solver"},
-      {"ambient", "The ambient wind"}, {"terrain", "The terrain"}, {"grass", "The grass"},
+      {"points", "The point"},         {"arrows", "The arrow"},      {"signals", "The signal"},
+      {"obstacles", "The obstacle"},   {"species", "The species"},   {"colliders", "The collider"},
+      {"surfaces", "The surface"},     {"rotors", "The rotor"},      {"probes", "The probe"},
+      {"cameras", "The camera"},       {"field", "The field"},       {"solver", "The solver"},
+      {"ambient", "The ambient wind"}, {"terrain", "The terrain"},   {"grass", "The grass"},
       {"bezier", "The Bezier grass"},  {"shell", "The shell grass"}, {"name", "The name"}};
   std::vector<std::string_view> parts = segments(pointer);
   if (!parts.empty() && parts.front() == "graph") parts.erase(parts.begin());

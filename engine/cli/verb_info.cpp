@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <memory>
@@ -7,6 +8,7 @@
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
+#include "engine/grass/shell_texture.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/parameters.hpp"
 
@@ -22,8 +24,22 @@ struct Options : CommonOptions {
 constexpr int kFieldBytes = 8, kNpyBytes = 8, kFlowMapBytes = 4;
 
 struct Sizes {
-  std::int64_t cells, blades, field, npyPerSecond, flowMapPerSecond;
+  std::int64_t cells, blades, field, npyPerSecond, flowMapPerSecond, shellTextures;
 };
+
+/// Of both textures of shell grass with all their levels.
+std::int64_t bytesOf(const ShellTexture& texture) {
+  std::int64_t bytes = 0;
+  for (const ShellLevel& level : texture.levels)
+    bytes += static_cast<std::int64_t>((level.form.size() + level.colour.size()) * sizeof(glm::u8vec4));
+  return bytes;
+}
+
+ShellTexture shellTexture(const Project& project) {
+  const ShellSettings& shell = *project.shell;
+  return shell.pixels ? shellTextureOf(*shell.pixels, *project.grass, shell)
+                      : makeShellTexture(*project.grass, shell, *project.species);
+}
 
 Sizes sizesOf(const Project& project, double fps) {
   const std::int64_t cells = std::int64_t{project.field->resolution.x} * project.field->resolution.y;
@@ -31,7 +47,14 @@ Sizes sizesOf(const Project& project, double fps) {
   const auto perSecond = [&](int bytes) { return static_cast<std::int64_t>(static_cast<double>(cells * bytes) * fps); };
   auto blades = static_cast<std::int64_t>(area * static_cast<double>(shownDensity(*project.grass)));
   if (project.grass->kind == GrassKind::Bezier) blades = placeBezier(project).count;
-  return {cells, blades, cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes)};
+  std::int64_t shellTextures = 0;
+  if (project.grass->kind == GrassKind::Shell) {
+    const ShellTexture texture = shellTexture(project);
+    const double tile = static_cast<double>(texture.tileM) * static_cast<double>(texture.tileM);
+    blades = std::llround(area / tile * static_cast<double>(texture.blades));
+    shellTextures = bytesOf(texture);
+  }
+  return {cells, blades, cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes), shellTextures};
 }
 
 std::string_view signalName(const Project& project, Id root) {
@@ -195,6 +218,7 @@ void printInfoJson(const Options& options, const Project& project, const std::ve
                      {"fps", options.fps},
                      {"npyPerSecond", sizes.npyPerSecond},
                      {"flowMapPerSecond", sizes.flowMapPerSecond}};
+  if (project.grass->kind == GrassKind::Shell) output["bytes"]["shellTextures"] = sizes.shellTextures;
   printJson(output);
 }
 
@@ -242,6 +266,10 @@ void printInfoText(const Options& options, const Project& project, const std::ve
   printTerrain(*project.terrain);
   std::printf("grass      %s, %s blades\n", std::string(choiceName(*project.grass, "kind")).c_str(),
               std::to_string(sizes.blades).c_str());
+  if (project.grass->kind == GrassKind::Shell) {
+    std::printf("           %d shells, %s of textures that repeat every %s m\n", project.shell->shells,
+                megabytes(static_cast<double>(sizes.shellTextures)).c_str(), metres(project.shell->tile).c_str());
+  }
   printSurfaces(*project.surfaces);
   printRotors(*project.rotors);
   for (const Id root : roots) {

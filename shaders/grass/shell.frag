@@ -41,6 +41,8 @@ const float kSharpness = 5.0;
 const float kBlur = 0.7;
 // Light at the foot of upright blades is that of leaning ones so high up: fewer of them stand in its way.
 const float kThinned = 0.65;
+// Height in which blades of surfaces are seen from afar, over the tallest.
+const float kMeanSeen = 0.6;
 // Size of the noise that blades in still air lean by.
 const float kClumpLeanM = 4.0;
 
@@ -244,8 +246,13 @@ void main() {
   Hit hit = walked(walk, level, v.light.x);
   // Blades narrower than a pixel: more and more the canopy as a whole is seen.
   float afar = smoothstep(0.9, 0.2, grass.size.x * perMetre);
+#ifdef SURFACE
+  const float all = 1.0;
+#else
+  float all = max(shell.root.w, 1e-3);
+#endif
 #ifndef SLICES
-  hit.cover = mix(hit.cover, v.light.x, afar);
+  hit.cover = mix(hit.cover, min(v.light.x / all, 1.0), afar);
 #endif
   // Grass too low to be seen is left to the ground.
   hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, tall) : 1.0;
@@ -259,6 +266,11 @@ void main() {
   uint turn = (uint(heights.y * shell.table.x + 0.5) * 5u >> 1u) % uint(samples);
   uint bits = (1u << uint(count)) - 1u;
   gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
+#endif
+#ifdef SURFACE
+  // Its mean, where a blade can't be told from the next.
+  hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
+  hit.form.g = mix(hit.form.g, codeOf(kMeanSeen), 0.8 * afar);
 #endif
   vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, eye);
 #ifndef SURFACE

@@ -103,7 +103,7 @@ void main() {
   float share = mapHeight(place) * mix(1.0, 0.3, smoothstep(0.0, 0.8, beyondField(place) / grass.tileCentre.z));
   float tufts = noiseAtLevel(place, 11.0, 1.0).b + noiseAtLevel(place.yx, 4.3, 1.0).r - 1.0;
   height *= share * (1.0 + 0.3 * grass.size.z * tufts);
-  float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0);
+  float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0) * shell.root.w;
   vec2 broad = meadowPatch(place);
   SolidsNear solids = solidsNear(place);
   v.shade.xy = vec2(max(solids.shadowHeight, softened(ground.shadowHeight)), solids.distanceM);

@@ -64,9 +64,10 @@ def seeing(rows):
         rows.row(f"{key} leaves {shown or 'nothing'} shown", key, lambda: sorted(app.fact("overlays").split()) == sorted(shown.split()))
     rows.row("4 leaves the ground bare", "4", says("status.blades", "0 / 0 blades"))
     rows.row("2 is Bezier grass", "2", lambda: app.fact("grass") == "bezier" and not app.fact("status.blades").endswith("/ 0 blades"))
+    rows.row("3 is shell grass", "3", lambda: app.fact("grass") == "shell" and not app.fact("status.blades").endswith("/ 0 blades"))
     rows.row("1 is instanced grass", "1", lambda: not app.fact("status.blades").endswith("/ 0 blades"))
     check(rows.saved()["grass"]["kind"] == "instanced", "the kind of grass is the project's")
-    app.key("ctrl+z", "ctrl+z", "ctrl+z")
+    app.key("ctrl+z", "ctrl+z", "ctrl+z", "ctrl+z")
     app.wait_fact("steps", "0")
     rows.saved()
 

@@ -50,6 +50,8 @@ REFUSALS = {
     "resolution-huge": ("/field/resolution", "expected two whole numbers from 8 to 4096"),
     "resolution-zero": ("/field/resolution", "expected two whole numbers from 8 to 4096"),
     "self-arrow": ("/graph/arrows/0/to", "expected another one"),
+    "shell-over-bend": ("/shell/bend/overBend", "found 3, expected a number from 1 to 2"),
+    "shell-picture-outside": ("/shell/texture/file", "which leaves the project's folder"),
     "species-mesh-outside": ("/species/0/file", "an absolute path"),
     "species-unknown-shape": ("/species/0/shape", 'found "tulip", expected one of blade, daisy, poppy, spike, mesh'),
     "surface-mesh-without-file": ("/surfaces/0/file", "is missing, expected the glTF file of the surface"),
@@ -224,6 +226,22 @@ class Verbs(unittest.TestCase):
         self.assertIn("1 (band): moebius of 6 m, 1500 blades per m^2", text)
         self.assertIn("3: 12 m over the ground", text)
         self.assertIn("2: mesh hill.gltf, 1 triangles", text)
+
+    def test_info_tells_the_textures_of_shell_grass(self):
+        path = self.folder / "shells.wind.json"
+        project = {"format": "windloom-project", "version": 1, "field": {"size": [50, 20], "resolution": [100, 40]},
+                   "grass": {"kind": "shell", "density": 20},
+                   "shell": {"shells": 6, "texture": {"texels": 256, "tile": 2, "fullness": 4}}}
+        path.write_text(json.dumps(project), encoding="utf-8")
+        info = json.loads(self.expect(DONE, "info", path, "--json").stdout)
+        self.assertEqual(info["grass"], "shell")
+        levels = [256 >> i for i in range(5)]
+        self.assertEqual(info["bytes"]["shellTextures"], 2 * 4 * sum(side * side for side in levels))
+        self.assertAlmostEqual(info["counts"]["blades"], 50 * 20 * 20 * 4, delta=0.05 * 80000)
+        self.assertIn("6 shells, 0.7 MB of textures that repeat every 2 m", self.expect(DONE, "info", path).stdout)
+        project["shell"]["texture"]["file"] = "lost.png"
+        path.write_text(json.dumps(project), encoding="utf-8")
+        self.assertIn("/shell/texture/file", self.expect(BAD_INPUT, "validate", path).stderr, "the lost picture is told")
 
     def test_info_of_a_project_without_points(self):
         path = self.folder / "empty.wind.json"

@@ -14,7 +14,7 @@ import jsonschema
 # What a schema can't say: relations between records, text that is no JSON, keys given twice, limits on products.
 BEYOND_A_SCHEMA = {
     "bezier-without-gravity", "binary", "collider-key-backwards", "collider-mesh-without-file", "dangling-arrow", "dangling-signal", "duplicate-ids", "duplicate-key", "empty", "id-of-point-and-arrow",
-    "id-of-species-and-collider", "id-of-surface-and-rotor", "surface-mesh-without-file", "keys-not-ascending", "map-outside", "species-mesh-outside",
+    "id-of-species-and-collider", "id-of-surface-and-rotor", "surface-mesh-without-file", "keys-not-ascending", "map-outside", "shell-picture-outside", "species-mesh-outside",
     "nan", "not-json", "not-utf8", "number-too-large", "periodic-alone", "self-arrow", "too-deep",
     "too-many-blades", "truncated", "twin-arrows", "zero-length-arrow",
 }

@@ -155,8 +155,9 @@ TEST(Inspector, RowsWithoutEffectAreMarked) {
 
 TEST(Inspector, EverySettingsPartHasRowsThatCanBeSetToThemselves) {
   const Project project;
-  for (const InspectorKind kind : {InspectorKind::Field, InspectorKind::Solver, InspectorKind::Ambient,
-                                   InspectorKind::Terrain, InspectorKind::Grass, InspectorKind::Bezier}) {
+  for (const InspectorKind kind :
+       {InspectorKind::Field, InspectorKind::Solver, InspectorKind::Ambient, InspectorKind::Terrain,
+        InspectorKind::Grass, InspectorKind::Bezier, InspectorKind::Shell}) {
     const InspectorSection section = inspect(project, {kind});
     EXPECT_FALSE(section.rows.empty());
     for (const InspectorRow& r : section.rows) {

@@ -34,6 +34,9 @@ class AssetsInEditor : public ::testing::Test {
     Image16 image(4, 4, 1);
     *image.at(1, 1) = 65535;
     ASSERT_TRUE(writePng(m_folder / "elsewhere/mask.png", image));
+    Image16 blades(4, 4, 4);
+    blades.at(1, 1)[3] = 65535;
+    ASSERT_TRUE(writePng(m_folder / "elsewhere/blades.png", blades));
     m_bench.w.flow.onFailure = [this](const Error& error) { m_failure = error.text(); };
     ASSERT_TRUE(m_bench.w.document.saveAs(m_folder / "project/a.wind.json"));
   }
@@ -241,13 +244,41 @@ TEST_F(AssetsInEditor, AMapIsSetAndCleared) {
   EXPECT_NE(project().grass->densityPixels, nullptr);
 }
 
+TEST_F(AssetsInEditor, ThePictureOfShellGrassIsSetAndCleared) {
+  const AssetTarget target{.use = AssetUse::ShellPicture};
+  EXPECT_EQ(assetFileOf(project(), target), "");
+  EXPECT_TRUE(isAssetRead(project(), target));
+  load(target, "elsewhere/blades.png");
+  EXPECT_EQ(assetFileOf(project(), target), "assets/blades.png") << m_failure;
+  ASSERT_NE(project().shell->pixels, nullptr);
+  EXPECT_EQ(project().shell->pixels->size, glm::ivec2(4, 4));
+  EXPECT_TRUE(project().grass->densityMap.empty());
+  EXPECT_EQ(m_bench.steps(), 1u);
+  load(target, "elsewhere/mask.png");
+  EXPECT_NE(m_failure.find("mask.png: has no transparency"), std::string::npos) << m_failure;
+  EXPECT_EQ(assetFileOf(project(), target), "assets/blades.png") << "it stays";
+  ShellSettings lost = *project().shell;
+  lost.texture = "assets/lost.png";
+  w().apply(Edit{"Rename", {Set<ShellSettings>{lost}}, {}});
+  EXPECT_FALSE(isAssetRead(project(), target));
+  m_bench.key("Ctrl+Z");
+  w().apply(clearPictureEdit(project(), AssetUse::ShellPicture));
+  EXPECT_EQ(assetFileOf(project(), target), "");
+  EXPECT_EQ(project().shell->pixels, nullptr);
+  EXPECT_TRUE(clearPictureEdit(project(), AssetUse::ShellPicture).steps.empty());
+  m_bench.key("Ctrl+Z");
+  EXPECT_NE(project().shell->pixels, nullptr);
+}
+
 TEST_F(AssetsInEditor, BrokenFilesAreToldAndNothingIsCopied) {
   ASSERT_TRUE(writeFileAtomically(m_folder / "elsewhere/bad.glb", "no mesh"));
   ASSERT_TRUE(writeFileAtomically(m_folder / "elsewhere/bad.png", "no picture"));
   for (const auto& [use, file] : {std::pair{AssetUse::Species, "elsewhere/bad.glb"},
                                   {AssetUse::Collider, "elsewhere/lost.glb"},
                                   {AssetUse::Surface, "elsewhere/bad.glb"},
-                                  {AssetUse::ColourMap, "elsewhere/bad.png"}}) {
+                                  {AssetUse::ColourMap, "elsewhere/bad.png"},
+                                  {AssetUse::ShellPicture, "elsewhere/lost.png"},
+                                  {AssetUse::ShellPicture, "elsewhere/mask.png"}}) {
     m_failure.clear();
     load({.use = use}, file);
     EXPECT_NE(m_failure.find(fs::path(file).filename().string()), std::string::npos) << m_failure;

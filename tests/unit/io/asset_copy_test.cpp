@@ -46,9 +46,12 @@ TEST_F(AssetCopy, AProjectsFilesAreNamedOnceInTheOrderOfItsFile) {
   project.surfaces = std::make_shared<std::vector<Surface>>(1, hill);
   project.terrain = terrain;
   project.grass = grass;
+  auto shell = std::make_shared<ShellSettings>();
+  shell->texture = "blades.png";
+  project.shell = shell;
   project.species = std::make_shared<std::vector<Species>>(1, tuft);
   project.colliders = std::make_shared<std::vector<Collider>>(std::vector{stone, twin});
-  EXPECT_EQ(assetFiles(project), (Names{"hills.png", "mask.png", "tuft.glb", "stone.glb", "hill.glb"}));
+  EXPECT_EQ(assetFiles(project), (Names{"hills.png", "mask.png", "blades.png", "tuft.glb", "stone.glb", "hill.glb"}));
 }
 
 TEST_F(AssetCopy, AllOfAProjectsFilesGoAlong) {

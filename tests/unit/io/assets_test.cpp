@@ -31,6 +31,17 @@ class Assets : public ::testing::Test {
     project.species = std::make_shared<std::vector<Species>>(std::move(species));
     return project;
   }
+  /// A picture one pixel high.
+  void putBlades(const char* name, std::vector<std::uint8_t> alphas) const {
+    Image image(static_cast<int>(alphas.size()), 1, 4);
+    for (std::size_t i = 0; i < alphas.size(); ++i) image.pixels[4 * i + 3] = alphas[i];
+    ASSERT_TRUE(writePng(m_folder.path() / name, image).ok());
+  }
+  static void setPicture(Project& project, const char* name) {
+    ShellSettings shell = *project.shell;
+    shell.texture = name;
+    project.shell = std::make_shared<ShellSettings>(shell);
+  }
   TemporaryFolder m_folder;
 };
 
@@ -127,6 +138,53 @@ TEST_F(Assets, KeepsTheLastGoodMeshWhereTheNewFileIsBroken) {
   project.species = std::make_shared<std::vector<Species>>(species);
   EXPECT_FALSE(loadAssets(project, file()).ok());
   EXPECT_EQ((*project.species)[0].mesh, mesh);
+}
+
+TEST_F(Assets, FillsThePictureOfShellGrassAndKeepsItWhereTheNewOneIsBad) {
+  putBlades("blades.png", {0, 200});
+  Project project = with({});
+  setPicture(project, "blades.png");
+  const Status loaded = loadAssets(project, file());
+  ASSERT_TRUE(loaded.ok()) << loaded.error().text();
+  const auto pixels = project.shell->pixels;
+  ASSERT_TRUE(pixels);
+  EXPECT_EQ(pixels->file, "blades.png");
+  EXPECT_EQ(pixels->size, glm::ivec2(2, 1));
+  EXPECT_EQ(pixels->pixels[7], 200);
+  const auto before = project.shell;
+  ASSERT_TRUE(loadAssets(project, file()).ok());
+  EXPECT_EQ(project.shell, before) << "nothing is read again";
+  setPicture(project, "gone.png");
+  EXPECT_FALSE(loadAssets(project, file()).ok());
+  EXPECT_EQ(project.shell->pixels, pixels);
+  setPicture(project, "");
+  EXPECT_TRUE(loadAssets(project, file()).ok());
+  EXPECT_FALSE(project.shell->pixels);
+}
+
+TEST_F(Assets, SaysWhatIsWrongWithAPictureOfShellGrass) {
+  putBlades("solid.png", {255, 255});
+  putBlades("empty.png", {0, 0});
+  ASSERT_TRUE(writeFileAtomically(m_folder.path() / "bad.png", "no picture").ok());
+  const auto problem = [&](const char* name) {
+    Project project = with({});
+    setPicture(project, name);
+    // As a map of the field it would do.
+    GrassSettings grass;
+    grass.densityMap = std::string(name) == "mask.png" ? name : "";
+    project.grass = std::make_shared<GrassSettings>(grass);
+    const Status loaded = loadAssets(project, file());
+    EXPECT_FALSE(loaded.ok()) << name;
+    EXPECT_FALSE(project.shell->pixels) << name;
+    return loaded.ok() ? Problem{} : loaded.error().problems.front();
+  };
+  for (const char* name : {"gone.png", "bad.png", "solid.png", "empty.png", "mask.png"}) {
+    EXPECT_EQ(problem(name).pointer, "/shell/texture/file") << name;
+    EXPECT_NE(problem(name).message.find(name), std::string::npos) << problem(name).message;
+  }
+  EXPECT_NE(problem("solid.png").message.find("has no transparency"), std::string::npos);
+  EXPECT_NE(problem("mask.png").message.find("has no transparency"), std::string::npos) << "it has no alpha at all";
+  EXPECT_NE(problem("empty.png").message.find("holds no blade"), std::string::npos);
 }
 
 TEST_F(Assets, AveragesLargeMapsDown) {

@@ -46,6 +46,14 @@ TEST(ProjectJson, ReadsEveryKindOfRecord) {
   EXPECT_EQ(project.bezier->wind, BezierWind::Both);
   EXPECT_EQ(project.bezier->gravityDirection, glm::vec3(0, -2, 0.5f));
   EXPECT_EQ(project.bezier->collisionFade, 0.2f);
+  EXPECT_EQ(project.shell->shells, 12);
+  EXPECT_EQ(project.shell->method, ShellMethod::Plain);
+  EXPECT_EQ(project.shell->tile, 2.5f);
+  EXPECT_EQ(project.shell->texture, "assets/blades.png");
+  EXPECT_EQ(project.shell->stiffnessCurve, 0.7f);
+  EXPECT_EQ(project.shell->wind, ShellWind::Both);
+  EXPECT_EQ(project.shell->sampling, ShellSampling::Texel);
+  EXPECT_EQ(project.shell->source, glm::vec2(3, -4));
   EXPECT_EQ(project.surfaces->at(0).shape, SurfaceShape::Moebius);
   EXPECT_TRUE(project.surfaces->at(0).bothSides);
   EXPECT_EQ(project.surfaces->at(1).file, "assets/stone.glb");
@@ -72,10 +80,10 @@ TEST(ProjectJson, ReportsUnknownKeysAtTheirPlace) {
     EXPECT_EQ(warning.file, "rich");
     pointers.push_back(warning.pointer);
   }
-  EXPECT_EQ(pointers,
-            (Pointers{"/field/later", "/field/borders/floor", "/ambient/gusts/colour", "/graph/points/1/tag",
-                      "/graph/layers", "/grass/maps/wet", "/bezier/tufts/moss", "/bezier/dew", "/species/1/season",
-                      "/colliders/0/mass", "/surfaces/1/grain", "/rotors/0/noise", "/studio"}));
+  EXPECT_EQ(pointers, (Pointers{"/field/later", "/field/borders/floor", "/ambient/gusts/colour", "/graph/points/1/tag",
+                                "/graph/layers", "/grass/maps/wet", "/bezier/tufts/moss", "/bezier/dew",
+                                "/shell/texture/ply", "/shell/mow", "/species/1/season", "/colliders/0/mass",
+                                "/surfaces/1/grain", "/rotors/0/noise", "/studio"}));
 }
 
 TEST(ProjectJson, EscapesKeysInPointers) {
@@ -144,6 +152,8 @@ TEST(ProjectJson, NamesThePlaceOfEachRefusal) {
       {"resolution-huge", "/field/resolution"},
       {"resolution-zero", "/field/resolution"},
       {"self-arrow", "/graph/arrows/0/to"},
+      {"shell-over-bend", "/shell/bend/overBend"},
+      {"shell-picture-outside", "/shell/texture/file"},
       {"species-mesh-outside", "/species/0/file"},
       {"species-unknown-shape", "/species/0/shape"},
       {"too-many-blades", "/grass/density"},

@@ -31,7 +31,7 @@ TEST(ProjectJson, UnknownKeysAreWrittenBackAtTheirObject) {
        {R"("floor": "moss"})", R"("later": [1, {"a": null}]})", R"("colour": "blue"})", R"("tag": 0.001})",
         R"("layers": {"x": 1})", R"("studio": {"owner": "Ada", "big": 18446744073709551615})",
         R"("maps": {"density": "assets/mask.png", "wet": 1})", R"("season": "may"})", R"("mass": 3})", R"("moss": 2})",
-        R"("dew": true})", R"("grain": 3})", R"("noise": "loud"})"}) {
+        R"("dew": true})", R"("ply": 2})", R"("mow": "weekly"})", R"("grain": 3})", R"("noise": "loud"})"}) {
     EXPECT_NE(text.find(kept), std::string::npos) << kept << "\n" << text;
   }
 }
@@ -69,6 +69,7 @@ TEST(ProjectJson, FilesFromBeforeASettingOrListGetItsDefault) {
       "},\n  \"species\": [],\n  \"colliders\": [],\n  \"surfaces\": [],\n  \"rotors\": [],\n  \"probes\": []";
   EXPECT_NE(text.find(lists), std::string::npos) << text;
   EXPECT_NE(text.find("},\n  \"bezier\": {\"most\": 1000000, \"tufts\": {\"share\": 0.35,"), std::string::npos) << text;
+  EXPECT_NE(text.find("},\n  \"shell\": {\"shells\": 8, \"method\": \"filled\","), std::string::npos) << text;
   EXPECT_EQ(text.find("\"maps\""), std::string::npos) << "no maps, no key";
   EXPECT_NE(text.find(R"("swing": {"rate": 1.4, "damping": 0.18, "exponent": 1.3333334})"), std::string::npos) << text;
 }

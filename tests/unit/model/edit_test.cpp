@@ -260,21 +260,29 @@ TEST(ApplyEdit, WhatWasReadStaysOnlyWithTheNameOfItsFile) {
   Edit edit = editOf(Put<Species>{tuft});
   edit.steps.emplace_back(Put<Collider>{stone});
   edit.steps.emplace_back(Set<GrassSettings>{grass});
+  ShellSettings shell;
+  shell.texture = map->file;
+  shell.pixels = map;
+  edit.steps.emplace_back(Set<ShellSettings>{shell});
   const Project read = *applyEdit(before, edit);
   EXPECT_EQ(read.species->front().mesh, mesh);
   EXPECT_EQ(read.colliders->front().mesh, mesh);
   EXPECT_EQ(read.grass->densityPixels, map);
   EXPECT_EQ(read.grass->heightPixels, nullptr) << "no height map is named";
+  EXPECT_EQ(read.shell->pixels, map);
   tuft.file = "assets/other.glb";
   stone.file.clear();
   grass.densityMap = "assets/other.png";
   edit = editOf(Put<Species>{tuft});
   edit.steps.emplace_back(Put<Collider>{stone});
   edit.steps.emplace_back(Set<GrassSettings>{grass});
+  shell.texture.clear();
+  edit.steps.emplace_back(Set<ShellSettings>{shell});
   const Project renamed = *applyEdit(read, edit);
   EXPECT_EQ(renamed.species->front().mesh, nullptr);
   EXPECT_EQ(renamed.colliders->front().mesh, nullptr);
   EXPECT_EQ(renamed.grass->densityPixels, nullptr);
+  EXPECT_EQ(renamed.shell->pixels, nullptr);
 }
 
 TEST(MoveEdit, MovesPointsObstaclesCollidersAndProbesTogether) {

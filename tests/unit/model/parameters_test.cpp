@@ -10,8 +10,9 @@ namespace {
 
 template <class Owner>
 class ParameterTables : public testing::Test {};
-using Owners = testing::Types<FieldSettings, SolverSettings, AmbientWind, Point, Arrow, Signal, Obstacle, Species,
-                              Collider, Surface, Rotor, Probe, Camera, TerrainSettings, GrassSettings, BezierSettings>;
+using Owners =
+    testing::Types<FieldSettings, SolverSettings, AmbientWind, Point, Arrow, Signal, Obstacle, Species, Collider,
+                   Surface, Rotor, Probe, Camera, TerrainSettings, GrassSettings, BezierSettings, ShellSettings>;
 TYPED_TEST_SUITE(ParameterTables, Owners);
 
 }  // namespace

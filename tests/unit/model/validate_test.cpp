@@ -130,6 +130,7 @@ TEST(Parameters, DefaultsAreLegalAndExplained) {
   expectLegalDefaults<TerrainSettings>();
   expectLegalDefaults<GrassSettings>();
   expectLegalDefaults<BezierSettings>();
+  expectLegalDefaults<ShellSettings>();
 }
 
 TEST(Parameters, ProblemsNameWhatWasFoundAndExpected) {
@@ -338,6 +339,28 @@ TEST(Validate, RefusesValuesOutOfRangeInSurfacesAndRotors) {
   project.rotors = std::make_shared<std::vector<Rotor>>(1, rotor);
   EXPECT_EQ(pointersOf(project),
             (Pointers{"/surfaces/0/size", "/surfaces/0/density", "/rotors/0/lift", "/rotors/0/rings"}));
+}
+
+TEST(Validate, RefusesShellsOutOfRangeAndPicturesOutsideTheProjectsFolder) {
+  const auto pointers = [](auto&& change) {
+    Project project;
+    project.shell = changed(project.shell, change);
+    return pointersOf(project);
+  };
+  EXPECT_EQ(pointers([](ShellSettings& s) { s.texture = "assets/blades.png"; }), Pointers{});
+  EXPECT_EQ(pointers([](ShellSettings& s) { s.texture = "../blades.png"; }), Pointers{"/shell/texture/file"});
+  EXPECT_EQ(
+      pointers([](ShellSettings& s) {
+        s.shells = 0;
+        s.texels = 2048;
+        s.heightCurve = 0.5f;
+        s.stiffnessCurve = std::numeric_limits<float>::quiet_NaN();
+        s.overBend = 2.1f;
+        s.source.y = std::numeric_limits<float>::infinity();
+        s.sourceStep = 0;
+      }),
+      (Pointers{"/shell/shells", "/shell/texture/texels", "/shell/texture/heightCurve", "/shell/bend/stiffnessCurve",
+                "/shell/bend/overBend", "/shell/wind/sourcePosition", "/shell/wind/sourceStep"}));
 }
 
 TEST(Validate, GravityOfBezierGrassNeedsADirectionOfAnyLength) {
