@@ -322,6 +322,7 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   // The hue of the root; how dark it is stands in the texture.
   block.root = {own ? glm::vec3(1.0f) : grass.baseColour / rootBright * bright / glm::max(grass.tipColour, 1e-3f),
                 own ? 1.0f : 0.0f};
+  block.mean = glm::vec4(m_texture.meanColour, 0.0f);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_SHELL);
   return Done{};
@@ -335,13 +336,14 @@ Result<gpu::Program*> ShellGrass::program(const ShellSettings& shell, const char
   add(shell.method == ShellMethod::Plain, "SLICES");
   add(shell.sampling == ShellSampling::Texel, "TEXEL");
   add(m_frame.samples <= 1, "ONE_SAMPLE");
-  add(m_frame.quick, "QUICK");
   return m_shaders->load(grassProgram(name), defines);
 }
 
 void ShellGrass::drawGround(const gpu::PassState& state) {
   if (m_groundInstances == 0) return;
-  const Result<gpu::Program*> shells = program(*m_shell, "grass/shell");
+  const bool quick = m_frame.quick && m_shell->method == ShellMethod::Filled;
+  const Result<gpu::Program*> shells =
+      quick ? m_shaders->load(grassProgram("grass/shell quick")) : program(*m_shell, "grass/shell");
   if (!shells) return;
   const gpu::DebugGroup group("shells");
   gpu::apply(state);

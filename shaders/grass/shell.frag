@@ -1,7 +1,7 @@
 #version 450 core
 // What is seen of the grass between a shell and the next one: the ray runs through the cuts of the texture from here down to the shell
 // below (from below: up to the one above), so that no slices show. SLICES: the paper's, only the cut at the shell itself.
-// QUICK: for software renderers. Bakay, Lalonde & Heidrich, 2002.
+// Bakay, Lalonde & Heidrich, 2002.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
 #include "shaders/include/ground.glsl"
@@ -12,6 +12,7 @@
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/shell_bend.glsl"
+#include "shaders/include/shell_vertex.glsl"
 
 layout(binding = RENDER_TEXTURE_SHELL_FORM) uniform sampler2D shellForm;
 layout(binding = RENDER_TEXTURE_SHELL_COLOUR) uniform sampler2D shellColour;
@@ -20,31 +21,14 @@ uniform mat3 toOwn;    // from the world to the surface's own axes
 uniform vec4 surface;  // as in shell.vert
 #endif
 
-in ShellVertex {
-  vec3 place;
-  vec3 own;
-  vec3 root;
-  vec3 up;
-  vec3 normal;
-  vec3 below;
-  vec3 above;
-  vec3 bend;
-  vec3 push;
-  vec3 size;
-  vec4 light;
-  vec4 shade;
-} v;
+in ShellVertex { SHELL_VERTEX_MEMBERS } v;
 flat in vec3 heights;
 
+#include "shaders/include/shell_light.glsl"
+
 const float kSharpness = 5.0;
-// Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
-const float kBlur = 0.7;
-// Light at the foot of upright blades is that of leaning ones so high up: fewer of them stand in its way.
-const float kThinned = 0.65;
 // Height in which blades of surfaces are seen from afar, over the tallest.
 const float kMeanSeen = 0.6;
-// Size of the noise that blades in still air lean by.
-const float kClumpLeanM = 4.0;
 
 // The slab between two shells where the ray meets it.
 struct Slab {
@@ -97,12 +81,6 @@ vec2 onTexture(vec3 own, vec3 facing) {
   return part.y >= max(part.x, part.z) ? own.xz : part.x > part.z ? own.zy : own.xy;
 }
 #endif
-
-// Of the clump at a place of the texture, over the blades' height.
-vec2 clumpLean(vec2 place, float perMetre) {
-  float level = log2(256.0 / (kClumpLeanM * perMetre));
-  return (noiseAtLevel(place / shell.size.y, kClumpLeanM, level).rg - 0.5) * (5.0 * shell.bend.z);
-}
 
 Walk walkOf(Slab at, vec3 ray, float perMetre) {
   vec3 n = normalize(v.normal);
@@ -182,53 +160,23 @@ Hit walked(Walk walk, float level, float grown) {
 }
 #endif
 
-// Beside solids, and on the underside of surfaces, less of the sky is seen.
-float openHere() {
-#ifdef SURFACE
-  return 0.6 + 0.4 * v.normal.y;
-#else
-  return openness(v.shade.y);
-#endif
-}
-
-vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
+// Its light, with what is left of it where blades can't be told apart.
+vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, float afar, vec3 eye) {
   vec4 texel = textureLod(shellColour, hit.place, level);
   float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
-  vec3 upper = texel.rgb;
-  vec3 green = upper * mix(shell.root.rgb * texel.a, vec3(1.0), smoothstep(0.0, 1.0, along));
-  vec3 straw = mix(upper * shell.root.rgb * texel.a * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, along));
-  vec3 albedo = mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * v.light.z;
-#ifndef SURFACE
-  albedo *= mapColour(slab.root.xz);
-#endif
-  float intensity = length(slab.bend);
-  float lean = pow(hit.height, shell.rings.w) * SHELL_HALF_PI * intensity;
-  vec3 up = normalize(v.up);
-  vec3 stem = up * cos(lean) + slab.bend * (sin(lean) / max(intensity, 1e-4));
-  stem = normalize(stem + 2.0 * hit.height * alongSurface(vec3(clump.x, 0.0, clump.y), up));
-  float canopy = grass.baseColour.w * v.size.z;
 #ifdef SURFACE
-  canopy *= surface.x;
+  hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
+  along = mix(along, 1.0, 0.8 * afar);
 #endif
-  GrassLight at;
-  at.height = mix(1.0, mix(kThinned, 1.0, clamp(hit.height * v.size.x / max(canopy, 1e-3), 0.0, 1.0)), smoothstep(0.25, 0.7, v.size.z));
-  at.dense = grass.levels.z;
-  at.sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
-  at.shade = heightWindShade(along * mix(1.0, stem.y, 0.5), v.light.w) * mix(openHere(), 1.0, 0.5 * at.height);
-  albedo = laidAlbedo(albedo * (0.85 + 0.3 * hit.form.a), dot(stem, up));
-  return lightCanopy(albedo, stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
-}
-
-// The canopy where its blades can't be told apart: as the ground far away has it, so that no seam shows.
-vec3 litAfar(Hit hit, Slab slab, vec3 eye) {
-  float sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
-  vec3 light = meadowColour(slab.root.xz, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(openHere(), 1.0, 0.5);
+  vec3 light = litBlade(ShellSeen(texel.rgb, texel.a, hit.form.a, hit.height, along), slab.bend, clump, slab.root.xz, eye);
 #ifndef SURFACE
-  light *= mapColour(slab.root.xz);
+  if (afar > 0.0) {
+    vec4 fine = noiseAt(slab.root.xz, 1.9), mid = noiseAt(slab.root.zx, 8.3);
+    float grain = 1.0 + 0.35 * (mid.a + fine.b - 1.0) + 0.5 * (hit.form.a - 0.5);
+    light = mix(light, litAfar(slab.root.xz, eye) * grain, afar);
+  }
 #endif
-  vec4 fine = noiseAt(slab.root.xz, 1.9), mid = noiseAt(slab.root.zx, 8.3);
-  float grain = 1.0 + 0.35 * (mid.a + fine.b - 1.0) + 0.5 * (hit.form.a - 0.5);
-  return light * (grain * v.light.z / max(meadowPatch(slab.root.xz).y, 0.1));
+  return light;
 }
 
 void main() {
@@ -244,8 +192,7 @@ void main() {
   // Nothing grows in solids.
   if (walk.high <= walk.low || v.shade.y < 0.0) discard;
   Hit hit = walked(walk, level, v.light.x);
-  // Blades narrower than a pixel: more and more the canopy as a whole is seen.
-  float afar = smoothstep(0.9, 0.2, grass.size.x * perMetre);
+  float afar = farness(perMetre);
 #ifdef SURFACE
   const float all = 1.0;
 #else
@@ -254,8 +201,7 @@ void main() {
 #ifndef SLICES
   hit.cover = mix(hit.cover, min(v.light.x / all, 1.0), afar);
 #endif
-  // Grass too low to be seen is left to the ground.
-  hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, tall) : 1.0;
+  hit.cover *= standing(tall);
 #ifdef ONE_SAMPLE
   if (hit.cover < 0.5) discard;
 #else
@@ -267,14 +213,6 @@ void main() {
   uint bits = (1u << uint(count)) - 1u;
   gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
 #endif
-#ifdef SURFACE
-  // Its mean, where a blade can't be told from the next.
-  hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
-  hit.form.g = mix(hit.form.g, codeOf(kMeanSeen), 0.8 * afar);
-#endif
-  vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, eye);
-#ifndef SURFACE
-  light = mix(light, litAfar(hit, slab, eye), afar);
-#endif
+  vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, afar, eye);
   writeScene(throughAir(light, v.place));
 }

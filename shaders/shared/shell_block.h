@@ -21,6 +21,7 @@ struct ShellBlock {
                 // pixel; w m within which lattices have their own size, where projection is parallel, else 0
   vec4 root;    // rgb colour of a blade's root over its upper part's; w part of the texture's blades that the
                 // ground has
+  vec4 mean;    // rgb mean colour of the texture
 };
 
 /// A piece of a shell: a tile of the ground or a whole surface.
@@ -33,7 +34,7 @@ struct ShellInstance {
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::ShellBlock) == 7 * 16, "std140 layout");
+static_assert(sizeof(windloom::shared::ShellBlock) == 8 * 16, "std140 layout");
 static_assert(sizeof(windloom::shared::ShellInstance) == 16, "std430 layout");
 #endif
 #endif
