@@ -321,7 +321,7 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
                 scale};
   // The hue of the root; how dark it is stands in the texture.
   block.root = {own ? glm::vec3(1.0f) : grass.baseColour / rootBright * bright / glm::max(grass.tipColour, 1e-3f),
-                own ? 1.0f : 0.0f};
+                own ? 1.0f : grass.density / std::max(textureDensity(project), 1e-4f)};
   block.mean = glm::vec4(m_texture.meanColour, 0.0f);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_SHELL);
