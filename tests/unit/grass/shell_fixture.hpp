@@ -10,9 +10,21 @@
 
 namespace windloom::testing {
 
-/// A small texture with as many blades for each texel as the usual one has.
-inline ShellSettings smallShell(int texels = 256) {
+/// What the tests' numbers hold for, whatever settings begin with.
+inline ShellSettings fullShell() {
   ShellSettings shell;
+  shell.tile = 4.0f;
+  shell.texels = 1024;
+  shell.fullness = 8.0f;
+  shell.thickness = 0.4f;
+  shell.taper = 0.6f;
+  shell.heightCurve = 1.5f;
+  return shell;
+}
+
+/// A small texture with as many blades for each texel as the full one.
+inline ShellSettings smallShell(int texels = 256) {
+  ShellSettings shell = fullShell();
   shell.texels = texels;
   shell.tile = 4.0f * static_cast<float>(texels) / 1024.0f;
   return shell;

@@ -207,7 +207,7 @@ TEST(ShellMips, EachIsHalfAsWideDownToTheLeast) {
 }
 
 TEST(ShellMips, TakeLessThan32MiB) {
-  ShellSettings shell;
+  ShellSettings shell = fullShell();
   shell.texels = 1024;
   std::size_t bytes = 0;
   for (const ShellLevel& level : makeShellTexture(grassOf(700.0f), shell, {}).levels) {

@@ -30,7 +30,7 @@ ShellTexture meadow(const std::function<void(GrassSettings&, ShellSettings&)>& c
 
 TEST(ShellTexture, HasAsManyBladesAsAsked) {
   GrassSettings grass = grassOf(100.0f);
-  ShellSettings shell;
+  ShellSettings shell = fullShell();
   EXPECT_EQ(makeShellTexture(grass, shell, {}).blades, 100 * 8 * 16);
   shell.fullness = 2.0f;
   shell.tile = 3.0f;
@@ -146,7 +146,7 @@ double differenceAcross(const ShellLevel& level, int at, bool columns) {
 }
 
 TEST(ShellTexture, WrapsAroundWithoutASeam) {
-  const ShellTexture texture = makeShellTexture(grassOf(300.0f), ShellSettings{}, {});
+  const ShellTexture texture = makeShellTexture(grassOf(300.0f), fullShell(), {});
   for (std::size_t n = 0; n < 3; ++n) {
     const ShellLevel& level = texture.levels[n];
     for (const bool columns : {false, true}) {
@@ -199,7 +199,7 @@ TEST(ShellTexture, ExtremesWork) {
 TEST(ShellTexture, ManyBladesAreFewerAndWider) {
   GrassSettings grass = grassOf(20'000.0f);
   grass.width = 0.002f;
-  ShellSettings shell;
+  ShellSettings shell = fullShell();
   const ShellBlades many = growShellBlades(grass, shell, {}, 0.0001f);
   EXPECT_EQ(many.blades.size(), 400'000u);
   double area = 0;
@@ -222,7 +222,7 @@ TEST(ShellTexture, IsTheSameEachTimeAndOnAnyThread) {
 }
 
 TEST(ShellBlades, RanksAreEvenAndAnyPartCoversTheTile) {
-  const ShellBlades grown = growShellBlades(grassOf(100.0f), ShellSettings{}, {}, 0.004f);
+  const ShellBlades grown = growShellBlades(grassOf(100.0f), fullShell(), {}, 0.004f);
   std::array<int, 256> ranks{};
   for (const ShellBlade& blade : grown.blades) ++ranks[blade.rank];
   EXPECT_EQ(ranks[255], 0) << "all grow where all are kept";
@@ -237,7 +237,7 @@ TEST(ShellBlades, RanksAreEvenAndAnyPartCoversTheTile) {
 }
 
 TEST(ShellBlades, HeightsAreSpreadAsTheMeadows) {
-  const ShellBlades grown = growShellBlades(grassOf(100.0f), ShellSettings{}, {}, 0.004f);
+  const ShellBlades grown = growShellBlades(grassOf(100.0f), fullShell(), {}, 0.004f);
   double mean = 0, least = 1e9, most = 0;
   for (const ShellBlade& blade : grown.blades) {
     const auto height = static_cast<double>(blade.height);
@@ -256,7 +256,7 @@ TEST(ShellBlades, HeightsAreSpreadAsTheMeadows) {
 double alikeness(float clumping) {
   GrassSettings grass = grassOf(20.0f);
   grass.clumping = clumping;
-  const std::vector<ShellBlade> blades = growShellBlades(grass, ShellSettings{}, {}, 0.004f).blades;
+  const std::vector<ShellBlade> blades = growShellBlades(grass, fullShell(), {}, 0.004f).blades;
   double mean = 0, variance = 0, together = 0;
   int pairs = 0;
   const auto height = [](const ShellBlade& blade) { return static_cast<double>(blade.height); };
@@ -314,7 +314,7 @@ TEST(ShellClumps, WrapAround) {
 
 TEST(ShellBlades, SpeciesShareTheTileByTheirWeights) {
   const std::vector<Species> species = threeSpecies();
-  const ShellBlades grown = growShellBlades(grassOf(100.0f), ShellSettings{}, species, 0.001f);
+  const ShellBlades grown = growShellBlades(grassOf(100.0f), fullShell(), species, 0.001f);
   double tall = 0, low = 0;
   for (const ShellBlade& blade : grown.blades) {
     if (blade.colour.b > blade.colour.r) ++low;
@@ -331,7 +331,7 @@ TEST(ShellBlades, DrynessLeansSomeToTheDryColour) {
     GrassSettings grass = grassOf(100.0f);
     grass.dryness = dryness;
     glm::vec3 sum(0.0f);
-    for (const ShellBlade& blade : growShellBlades(grass, ShellSettings{}, {}, 0.004f).blades) sum += blade.colour;
+    for (const ShellBlade& blade : growShellBlades(grass, fullShell(), {}, 0.004f).blades) sum += blade.colour;
     return sum.r / sum.g;
   };
   EXPECT_NEAR(redOverGreen(0.0f), 0.30f / 0.42f, 0.03f);
