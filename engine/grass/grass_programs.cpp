@@ -45,7 +45,8 @@ constexpr gpu::ProgramSpec kPrograms[] = {
     {"grass/shell surface", {"grass/shell.vert", "grass/shell.frag"}, "SURFACE"},
     {"grass/shell slices", {"grass/shell.vert", "grass/shell.frag"}, "SLICES ONE_SAMPLE"},
     {"grass/shell texel", {"grass/shell.vert", "grass/shell.frag"}, "TEXEL"},
-    {"grass/shell surface texel", {"grass/shell.vert", "grass/shell.frag"}, "SURFACE TEXEL ONE_SAMPLE QUICK"},
+    {"grass/shell surface texel", {"grass/shell.vert", "grass/shell.frag"}, "SURFACE TEXEL ONE_SAMPLE"},
+    {"grass/shell quick", {"grass/shell.vert", "grass/shell_quick.frag"}, "QUICK"},
     {"grass/plant", {"grass/plant.vert", "grass/plant.frag"}},
     {"grass/plant textured", {"grass/plant.vert", "grass/plant.frag"}, "TEXTURED"},
 };

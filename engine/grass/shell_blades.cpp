@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/grass/growth_area.hpp"
+#include "engine/grass/shell_clumps.hpp"
 #include "engine/grass/shell_colour.hpp"
 #include "shaders/shared/grass_block.h"
 
@@ -14,7 +15,7 @@ namespace windloom {
 namespace {
 
 constexpr float kTurn = 6.2831853f;
-constexpr float kClumpM = 0.75f;
+constexpr float kClumpEdges = 0.5f;  // clumps: how far blades of neighbouring ones stand among each other
 constexpr double kMostBlades = 400'000;
 constexpr double kMostLayers = 24;  // more of them on one another show no more
 constexpr float kThinnestTexels = 1.2f;
@@ -133,28 +134,6 @@ glm::vec2 placeOf(std::uint32_t index, std::uint32_t seed) {
           hashToUnit(scrambled(sobolSecond(index), pcgHash(seed ^ 0x9e3779b9u)))};
 }
 
-/// The clump a root belongs to: the nearest of jittered centres, `cells` by `cells` in the tile, as a hash. `place`
-/// 0..1.
-std::uint32_t clumpOf(glm::vec2 place, int cells, std::uint32_t seed) {
-  const glm::vec2 at = place * static_cast<float>(cells);
-  const glm::ivec2 cell(at);
-  float nearest = 1e9f;
-  std::uint32_t found = 0;
-  for (int z = -1; z <= 1; ++z) {
-    for (int x = -1; x <= 1; ++x) {
-      const glm::ivec2 beside = cell + glm::ivec2(x, z), inside = (beside + cells) % cells;
-      const auto number = static_cast<std::uint32_t>(inside.y * cells + inside.x);
-      const std::uint32_t hash = hashCombine(seed, number);
-      const glm::vec2 away = glm::vec2(beside) + glm::vec2(hash & 0xffffu, hash >> 16) * (1.0f / 65536.0f) - at;
-      const float d = glm::dot(away, away);
-      if (d >= nearest) continue;
-      nearest = d;
-      found = hash;
-    }
-  }
-  return found;
-}
-
 const Kind& kindAt(const Kinds& kinds, double pick) {
   double total = 0;
   for (const Kind& kind : kinds.list) total += kind.weight * kind.kept;
@@ -166,39 +145,39 @@ const Kind& kindAt(const Kinds& kinds, double pick) {
   return kinds.list.front();
 }
 
-glm::vec3 upperColour(const GrassSettings& grass, const Kind& kind, RandomStream& random, std::uint32_t clump) {
-  RandomStream common(clump ^ 0x68bc21ebu);
+glm::vec3 upperColour(const GrassSettings& grass, const Kind& kind, RandomStream& random, const ShellClump& clump) {
   const float alike = grass.clumping;
-  const bool isDry = glm::mix(random.next(), common.next(), 0.6f * alike + 0.2f) >= 1.0f - grass.dryness;
+  const bool isDry = glm::mix(random.next(), clump.dry, 0.6f * alike + 0.2f) >= 1.0f - grass.dryness;
   const float dry = isDry ? 0.45f + 0.5f * random.next() : 0.0f;
-  const float bright = 0.78f + 0.44f * glm::mix(random.next(), common.next(), 0.5f * alike);
-  const float hue = 2.0f * glm::mix(random.next(), common.next(), 0.7f * alike) - 1.0f;
+  const float bright = 0.78f + 0.44f * glm::mix(random.next(), clump.bright, 0.5f * alike);
+  const float hue = 2.0f * glm::mix(random.next(), clump.hue, 0.7f * alike) - 1.0f;
   const glm::vec3 colour = glm::mix(kind.tipColour, grass.dryColour, dry);
   return colour * bright * (1.0f + hue * glm::vec3(0.16f, 0.03f, -0.14f));
 }
 
-/// Random numbers that many blades share.
+/// What all blades share.
 struct Tile {
   float side;
-  int clumps;  ///< a side
   std::uint32_t seed;
+  ShellClumps clumps;
 };
 
 ShellBlade makeBlade(const GrassSettings& grass, const Kinds& kinds, const Tile& tile, const Count& count,
                      std::uint32_t index) {
   RandomStream random(hashCombine(tile.seed ^ 0x2545f491u, index));
   const glm::vec2 place = placeOf(index, tile.seed);
-  const std::uint32_t clump = clumpOf(place, tile.clumps, tile.seed ^ 0x3c6ef372u);
-  RandomStream common(clump);
+  const float aside = random.next() - 0.5f, beyond = random.next() - 0.5f;
+  const ShellClump& clump =
+      tile.clumps.at(place + glm::vec2(aside, beyond) * (kClumpEdges / static_cast<float>(tile.clumps.cells())));
   const Kind& kind = kindAt(kinds, static_cast<double>(random.next()));
   ShellBlade blade;
   blade.root = place * tile.side;
   const float first = random.next(), second = random.next();
   const float own = std::clamp(0.5f + 1.15f * (glm::mix(first, second, 0.55f) - 0.5f), 0.0f, 1.0f);
-  const float size = glm::mix(own, common.next(), 0.5f * grass.clumping);
+  const float size = glm::mix(own, clump.size, 0.5f * grass.clumping);
   blade.height = std::max(kind.height * (1.0f + kind.heightVariation * (2.0f * size - 1.0f)), 1e-4f);
   // Most blades of a clump face the same way; the long axis lies across.
-  const float yaw = kTurn * random.next(), lean = kTurn * common.next();
+  const float yaw = kTurn * random.next(), lean = kTurn * clump.lean;
   const glm::vec2 front = glm::vec2(std::cos(yaw), std::sin(yaw)) +
                           0.8f * grass.clumping * glm::vec2(std::cos(lean), std::sin(lean)) + glm::vec2(1e-4f);
   blade.along = glm::normalize(glm::vec2(-front.y, front.x));
@@ -216,8 +195,8 @@ ShellBlades growShellBlades(const GrassSettings& grass, const ShellSettings& she
                             float texelM) {
   const Kinds kinds = kindsOf(grass, shell, species, texelM);
   const Count count = countOf(grass, shell, kinds);
-  const Tile tile{shell.tile, std::max(static_cast<int>(std::lround(shell.tile / kClumpM)), 1),
-                  pcgHash(static_cast<std::uint32_t>(grass.seed) ^ 0x51ed270bu)};
+  const std::uint32_t seed = pcgHash(static_cast<std::uint32_t>(grass.seed) ^ 0x51ed270bu);
+  const Tile tile{shell.tile, seed, ShellClumps(shell.tile, seed ^ 0x3c6ef372u)};
   ShellBlades grown;
   for (const Kind& kind : kinds.list) {
     grown.tallestM = std::max({grown.tallestM, kind.height * (1.0f + kind.heightVariation), 1e-3f});

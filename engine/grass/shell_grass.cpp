@@ -42,18 +42,40 @@ std::vector<std::uint16_t> latticeIndices(int quads) {
   return indices;
 }
 
+float sizeOn(const Surface& surface, const GrassSettings& grass) {
+  return surface.height / std::max(grass.height, 1e-4f);
+}
+
+/// Blades per m^2 that the texture has: enough for the ground and, made smaller, for every surface.
+float textureDensity(const Project& project) {
+  float density = project.grass->density;
+  for (const Surface& surface : *project.surfaces) {
+    const float size = sizeOn(surface, *project.grass);
+    if (!surface.hidden) density = std::max(density, surface.density * size * size);
+  }
+  return density;
+}
+
+ShellTexture textureOf(const Project& project) {
+  GrassSettings grass = *project.grass;
+  grass.density = textureDensity(project);
+  return project.shell->pixels ? shellTextureOf(*project.shell->pixels, grass, *project.shell)
+                               : makeShellTexture(grass, *project.shell, *project.species);
+}
+
 /// Whether the texture is the same in both.
 bool sameTexture(const Project& a, const Project& b) {
   const auto grass = [](const Project& p) {
     const GrassSettings& g = *p.grass;
-    return std::tie(g.density, g.seed, g.height, g.heightVariation, g.width, g.clumping, g.baseColour, g.tipColour,
-                    g.dryColour, g.dryness);
+    return std::tie(g.seed, g.height, g.heightVariation, g.width, g.clumping, g.baseColour, g.tipColour, g.dryColour,
+                    g.dryness);
   };
   const auto shell = [](const Project& p) {
     const ShellSettings& s = *p.shell;
     return std::tie(s.tile, s.texels, s.fullness, s.thickness, s.taper, s.heightCurve, s.pixels);
   };
-  return grass(a) == grass(b) && shell(a) == shell(b) && (a.species == b.species || *a.species == *b.species);
+  return grass(a) == grass(b) && shell(a) == shell(b) && textureDensity(a) == textureDensity(b) &&
+         (a.species == b.species || *a.species == *b.species);
 }
 
 bool sameBending(const ShellSettings& a, const ShellSettings& b) {
@@ -107,10 +129,8 @@ Status ShellGrass::configure(const Project& project, Placement placement) {
   const bool current = m_any && sameTexture(project, m_made);
   if (!current && m_job == nullptr) {
     m_job = std::make_shared<MadeBeside<ShellTexture>>(
-        project, "the texture of the shell grass", [](const Project& from, const std::atomic<bool>*) {
-          return from.shell->pixels ? shellTextureOf(*from.shell->pixels, *from.grass, *from.shell)
-                                    : makeShellTexture(*from.grass, *from.shell, *from.species);
-        });
+        project, "the texture of the shell grass",
+        [](const Project& from, const std::atomic<bool>*) { return textureOf(from); });
   }
   if (m_job == nullptr) return Done{};
   if (placement == Placement::Later && !m_job->ready()) return Done{};
@@ -302,6 +322,7 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   // The hue of the root; how dark it is stands in the texture.
   block.root = {own ? glm::vec3(1.0f) : grass.baseColour / rootBright * bright / glm::max(grass.tipColour, 1e-3f),
                 own ? 1.0f : 0.0f};
+  block.mean = glm::vec4(m_texture.meanColour, 0.0f);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_SHELL);
   return Done{};
@@ -315,13 +336,14 @@ Result<gpu::Program*> ShellGrass::program(const ShellSettings& shell, const char
   add(shell.method == ShellMethod::Plain, "SLICES");
   add(shell.sampling == ShellSampling::Texel, "TEXEL");
   add(m_frame.samples <= 1, "ONE_SAMPLE");
-  add(m_frame.quick, "QUICK");
   return m_shaders->load(grassProgram(name), defines);
 }
 
 void ShellGrass::drawGround(const gpu::PassState& state) {
   if (m_groundInstances == 0) return;
-  const Result<gpu::Program*> shells = program(*m_shell, "grass/shell");
+  const bool quick = m_frame.quick && m_shell->method == ShellMethod::Filled;
+  const Result<gpu::Program*> shells =
+      quick ? m_shaders->load(grassProgram("grass/shell quick")) : program(*m_shell, "grass/shell");
   if (!shells) return;
   const gpu::DebugGroup group("shells");
   gpu::apply(state);
@@ -343,7 +365,7 @@ int ShellGrass::useSurface(const Surface& surface, const glm::mat4& world, float
   const Result<gpu::Program*> shells = program(*m_shell, "grass/shell surface");
   if (!shells) return 0;
   const GrassSettings& grass = *m_made.grass;
-  const float size = surface.height / std::max(grass.height, 1e-4f);
+  const float size = sizeOn(surface, grass);
   std::size_t level = 0;
   int first = m_groundInstances;
   while (level + 1 < m_levels.size() && (m_levels[level + 1].from <= 0 || m_levels[level + 1].from * size < away)) {

@@ -1,13 +1,15 @@
 // Representative blades rather than means of them is what Bakay, Lalonde & Heidrich, "Real-time animated grass", 2002,
-// name as future work. How: each texel takes over one of the four finer ones, and of four neighbouring texels one takes
-// the lowest, one the second and so on, by chance which. So any finer texel is as likely to stay as any other, which
-// keeps all that blades have in common, and there is less chance in it than in four free choices. What chance is left
-// in the heights is taken out by giving them, in their order, the first level's (histogram specification); in the
-// colours by a factor.
+// name as future work. How: each texel takes over one of the four finer ones. As long as blades are wider than texels
+// it is the same of the four everywhere, which keeps their shapes; then of four neighbouring texels one takes the
+// lowest, one the second and so on, by chance which: less is left to chance than in four free choices. Either way any
+// finer texel is as likely to stay as any other, which keeps all that blades have in common. What chance is left in the
+// heights is taken out by giving them, in their order, the first level's (histogram specification); in the colours by a
+// factor.
 #include "engine/grass/shell_mips.hpp"
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 
 #include "engine/core/hash.hpp"
@@ -19,6 +21,12 @@ namespace {
 
 constexpr float kMostAlike = 0.75f;  // share of the mean in a texel's colour
 constexpr std::size_t kCodes = 256;
+
+/// Which finer texel a texel takes over.
+enum class Choice {
+  Place,   ///< the same one of four everywhere: keeps the shapes of blades that are wider than a texel
+  Chance,  ///< one of four neighbouring texels the lowest, one the second and so on
+};
 
 using Histogram = std::array<std::size_t, kCodes>;
 
@@ -55,8 +63,14 @@ Light halved(const Light& finer, std::size_t side) {
 }
 
 /// For each texel the finer one that it takes over.
-std::vector<std::size_t> representatives(const ShellLevel& finer, std::size_t side) {
+std::vector<std::size_t> representatives(const ShellLevel& finer, std::size_t side, Choice choice) {
   std::vector<std::size_t> chosen(side * side);
+  if (choice == Choice::Place) {
+    // By turns the first and the last of the four, so that levels don't wander off.
+    const std::size_t place = std::countr_zero(side) % 2 == 0 ? 0 : 3;
+    for (std::size_t i = 0; i < chosen.size(); ++i) chosen[i] = finerOf(i, side)[place];
+    return chosen;
+  }
   for (std::size_t i = 0; i < chosen.size(); ++i) {
     const std::size_t x = i % side, y = i / side;
     const std::uint32_t group =
@@ -107,9 +121,9 @@ std::size_t nearestOf(const ShellLevel& finer, std::size_t texel, std::size_t si
   return *std::ranges::min_element(from, {}, [&](std::size_t i) { return std::abs(finer.form[i].r - height); });
 }
 
-ShellLevel nextLevel(const ShellLevel& finer, const Histogram& wanted, std::size_t texels) {
+ShellLevel nextLevel(const ShellLevel& finer, const Histogram& wanted, std::size_t texels, Choice choice) {
   const auto side = static_cast<std::size_t>(finer.side) / 2;
-  const std::vector<std::size_t> chosen = representatives(finer, side);
+  const std::vector<std::size_t> chosen = representatives(finer, side, choice);
   const std::vector<std::uint32_t> order = inOrder(finer, chosen, side);
   ShellLevel level{finer.side / 2, std::vector<glm::u8vec4>(side * side), std::vector<glm::u8vec4>(side * side)};
   std::size_t code = 0, below = wanted[0];
@@ -164,7 +178,7 @@ void addShellLevels(std::vector<ShellLevel>& levels, float cutTexels) {
   // Blades are taken over with their own colours, so that these don't get mixed again and again.
   ShellLevel own = levels.front();
   for (float width = 2.0f; levels.back().side > kShellLeastSide; width *= 2.0f) {
-    own = nextLevel(own, wanted, texels);
+    own = nextLevel(own, wanted, texels, width <= cutTexels ? Choice::Place : Choice::Chance);
     light = halved(light, static_cast<std::size_t>(own.side));
     ShellLevel level = own;
     const float part = width / std::max(cutTexels, 1.0f);

@@ -244,8 +244,8 @@ struct ShellSettings {
   // Texture: cuts through blades, repeated over the ground.
   float tile = 4.0f;  ///< m: side of its square on the ground; on surfaces in proportion to the height of their blades
   int texels = 1024;  ///< a side, made a power of two: 64..1024
-  float fullness = 8.0f;     ///< blades for each one that the density asks for, since upright ones cover less
-  float thickness = 0.4f;    ///< of a blade's cut over its width, 0.05..1
+  float fullness = 4.0f;     ///< blades for each one that the density asks for, since upright ones cover less
+  float thickness = 0.7f;    ///< of a blade's cut over its width, 0.05..1
   float taper = 0.6f;        ///< how much of a blade narrows: 0 is as thick at its top as at its root, 1 is a cone
   float heightCurve = 1.5f;  ///< p: height = 1 - (1 - alpha)^p of the tallest; above 1 is finer at the upper end
   std::string texture;       ///< picture to take instead, below the project's folder: height in alpha; empty: none

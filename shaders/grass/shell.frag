@@ -1,7 +1,7 @@
 #version 450 core
 // What is seen of the grass between a shell and the next one: the ray runs through the cuts of the texture from here down to the shell
 // below (from below: up to the one above), so that no slices show. SLICES: the paper's, only the cut at the shell itself.
-// QUICK: for software renderers. Bakay, Lalonde & Heidrich, 2002.
+// Bakay, Lalonde & Heidrich, 2002.
 #include "shaders/include/frame.glsl"
 #include "shaders/include/noise.glsl"
 #include "shaders/include/ground.glsl"
@@ -12,6 +12,7 @@
 #include "shaders/include/solids.glsl"
 #include "shaders/include/grass_maps.glsl"
 #include "shaders/include/shell_bend.glsl"
+#include "shaders/include/shell_vertex.glsl"
 
 layout(binding = RENDER_TEXTURE_SHELL_FORM) uniform sampler2D shellForm;
 layout(binding = RENDER_TEXTURE_SHELL_COLOUR) uniform sampler2D shellColour;
@@ -20,21 +21,14 @@ uniform mat3 toOwn;    // from the world to the surface's own axes
 uniform vec4 surface;  // as in shell.vert
 #endif
 
-in ShellVertex {
-  vec3 place;
-  vec3 own;
-  vec3 root;
-  vec3 up;
-  vec3 normal;
-  vec3 below;
-  vec3 above;
-  vec3 bend;
-  vec3 push;
-  vec3 size;
-  vec4 light;
-  vec4 shade;
-} v;
+in ShellVertex { SHELL_VERTEX_MEMBERS } v;
 flat in vec3 heights;
+
+#include "shaders/include/shell_light.glsl"
+
+const float kSharpness = 5.0;
+// Height in which blades of surfaces are seen from afar, over the tallest.
+const float kMeanSeen = 0.6;
 
 // The slab between two shells where the ray meets it.
 struct Slab {
@@ -77,7 +71,7 @@ struct Walk {
   vec2 from, along;      // squares of the texture
   float high, low;       // heights at its upper and its lower end, 0..1
   bool down;             // it begins at the upper end
-  vec2 lean;             // of blades in still air at the tip, squares of the texture
+  vec2 lean, leanEnd;    // of blades in still air at the tip, where it begins and where it ends, squares of the texture
 };
 
 #ifdef SURFACE
@@ -88,7 +82,7 @@ vec2 onTexture(vec3 own, vec3 facing) {
 }
 #endif
 
-Walk walkOf(Slab at, vec3 ray, vec2 clump) {
+Walk walkOf(Slab at, vec3 ray, float perMetre) {
   vec3 n = normalize(v.normal);
   float facing = dot(ray, n);
   Walk walk;
@@ -104,7 +98,9 @@ Walk walkOf(Slab at, vec3 ray, vec2 clump) {
   walk.from = at.own.xz * shell.size.y;
   walk.along = along.xz * shell.size.y;
 #endif
-  walk.lean = clump * (v.size.x * shell.size.y);
+  float tip = v.size.x * shell.size.y;
+  walk.lean = clumpLean(walk.from, perMetre) * tip;
+  walk.leanEnd = clumpLean(walk.from + walk.along, perMetre) * tip;
   walk.high = walk.down ? heights.y : heights.z;
   walk.low = walk.down ? heights.x : heights.y;
   return walk;
@@ -119,12 +115,6 @@ struct Hit {
   vec4 form;     // of the texture
   vec2 place;    // in it
 };
-
-const float kSharpness = 5.0;
-// Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
-const float kBlur = 0.5;
-// Size of the noise that blades in still air lean by.
-const float kClumpLeanM = 4.0;
 
 // Part of a pixel that a texel covers which is `code` high, cut at `cut`: an edge is about a pixel wide, however large texels are.
 float covered(float code, float cut, float sharpness) { return clamp((code - cut) * sharpness + 0.5, 0.0, 1.0) * step(0.004, code); }
@@ -152,7 +142,7 @@ Hit walked(Walk walk, float level, float grown) {
     float begin = float(i) / float(steps), end = float(i + 1) / float(steps);
     float high = walk.down ? mix(walk.high, walk.low, begin) : mix(walk.low, walk.high, end);
     float low = walk.down ? mix(walk.high, walk.low, end) : mix(walk.low, walk.high, begin);
-    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - walk.lean * (0.25 * (high + low) * (high + low));
+    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - mix(walk.lean, walk.leanEnd, 0.5 * (begin + end)) * (0.25 * (high + low) * (high + low));
     vec4 form = textureLod(shellForm, place, level);
     float a = covered(form.r, codeOf(low), sharpness) * step(form.b, grown) * clear;
     hit.height += a * clamp(heightOf(form.r), low, high);
@@ -170,73 +160,48 @@ Hit walked(Walk walk, float level, float grown) {
 }
 #endif
 
-// Beside solids, and on the underside of surfaces, less of the sky is seen.
-float openHere() {
-#ifdef SURFACE
-  return 0.6 + 0.4 * v.normal.y;
-#else
-  return openness(v.shade.y);
-#endif
-}
-
-vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, vec3 eye) {
+// Its light, with what is left of it where blades can't be told apart.
+vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, float afar, vec3 eye) {
   vec4 texel = textureLod(shellColour, hit.place, level);
   float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
-  vec3 upper = texel.rgb;
-  vec3 green = upper * mix(shell.root.rgb * texel.a, vec3(1.0), smoothstep(0.0, 1.0, along));
-  vec3 straw = mix(upper * shell.root.rgb * texel.a * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, along));
-  vec3 albedo = mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * v.light.z;
-#ifndef SURFACE
-  albedo *= mapColour(slab.root.xz);
-#endif
-  float intensity = length(slab.bend);
-  float lean = pow(hit.height, shell.rings.w) * SHELL_HALF_PI * intensity;
-  vec3 up = normalize(v.up);
-  vec3 stem = up * cos(lean) + slab.bend * (sin(lean) / max(intensity, 1e-4));
-  stem = normalize(stem + 2.0 * hit.height * alongSurface(vec3(clump.x, 0.0, clump.y), up));
-  float canopy = grass.baseColour.w * v.size.z;
 #ifdef SURFACE
-  canopy *= surface.x;
+  hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
+  along = mix(along, 1.0, 0.8 * afar);
 #endif
-  GrassLight at;
-  at.height = mix(1.0, clamp(hit.height * v.size.x / max(canopy, 1e-3), 0.0, 1.0), smoothstep(0.25, 0.7, v.size.z));
-  at.dense = grass.levels.z;
-  at.sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
-  at.shade = heightWindShade(along * mix(1.0, stem.y, 0.5), v.light.w) * mix(openHere(), 1.0, 0.5 * at.height);
-  albedo = laidAlbedo(albedo * (0.85 + 0.3 * hit.form.a), dot(stem, up));
-  return lightCanopy(albedo, stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
-}
-
-// The canopy where its blades can't be told apart: as the ground far away has it, so that no seam shows.
-vec3 litAfar(Hit hit, Slab slab, vec3 eye) {
-  float sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
-  vec3 light = meadowColour(slab.root.xz, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(openHere(), 1.0, 0.5);
+  vec3 light = litBlade(ShellSeen(texel.rgb, texel.a, hit.form.a, hit.height, along), slab.bend, clump, slab.root.xz, eye);
 #ifndef SURFACE
-  light *= mapColour(slab.root.xz);
+  if (afar > 0.0) {
+    vec4 fine = noiseAt(slab.root.xz, 1.9), mid = noiseAt(slab.root.zx, 8.3);
+    float grain = 1.0 + 0.35 * (mid.a + fine.b - 1.0) + 0.5 * (hit.form.a - 0.5);
+    light = mix(light, litAfar(slab.root.xz, eye) * grain, afar);
+  }
 #endif
-  return light * v.light.z / max(meadowPatch(slab.root.xz).y, 0.1) * (0.75 + 0.5 * hit.form.a);
+  return light;
 }
 
 void main() {
   vec3 eye = directionToCamera(v.place);
   float perMetre = pixelsPerMetre(v.place);
+  float tall = v.size.x * perMetre;
 #ifdef SURFACE
-  perMetre *= surface.x;
+  perMetre *= surface.x;  // of the texture
 #endif
   float level = min(log2(shell.size.z / perMetre) + kBlur, shell.size.w);
   Slab slab = slabHere();
-  vec2 clump = (noiseAtLevel(slab.own.xz, kClumpLeanM, log2(256.0 / (kClumpLeanM * perMetre))).rg - 0.5) * (8.0 * shell.bend.z);
-  Walk walk = walkOf(slab, -eye, clump);
+  Walk walk = walkOf(slab, -eye, perMetre);
   // Nothing grows in solids.
   if (walk.high <= walk.low || v.shade.y < 0.0) discard;
   Hit hit = walked(walk, level, v.light.x);
-  // Blades narrower than a pixel: more and more the canopy as a whole is seen.
-  float afar = smoothstep(1.2, 0.3, grass.size.x * perMetre);
-#ifndef SLICES
-  hit.cover = mix(hit.cover, v.light.x, afar);
+  float afar = farness(perMetre);
+#ifdef SURFACE
+  const float all = 1.0;
+#else
+  float all = max(shell.root.w, 1e-3);
 #endif
-  // Grass too low to be seen is left to the ground.
-  hit.cover *= shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, v.size.x * perMetre) : 1.0;
+#ifndef SLICES
+  hit.cover = mix(hit.cover, min(v.light.x / all, 1.0), afar);
+#endif
+  hit.cover *= standing(tall);
 #ifdef ONE_SAMPLE
   if (hit.cover < 0.5) discard;
 #else
@@ -248,9 +213,6 @@ void main() {
   uint bits = (1u << uint(count)) - 1u;
   gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
 #endif
-  vec3 light = litHit(hit, slab, clump, level, eye);
-#ifndef SURFACE
-  light = mix(light, litAfar(hit, slab, eye), afar);
-#endif
+  vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, afar, eye);
   writeScene(throughAir(light, v.place));
 }

@@ -13,6 +13,7 @@
 #include "shaders/include/colliders.glsl"
 #include "shaders/include/grass_blades.glsl"
 #include "shaders/include/shell_bend.glsl"
+#include "shaders/include/shell_vertex.glsl"
 
 layout(std430, binding = RENDER_SSBO_SHELL_INSTANCES) readonly buffer Instances { ShellInstance instances[]; };
 uniform int firstInstance;
@@ -25,21 +26,42 @@ layout(location = 1) in vec3 normal;
 uniform int quads;       // along a tile's side
 #endif
 
-out ShellVertex {
-  vec3 place;        // m in the world
-  vec3 own;          // root where the texture lies: the world, or the surface's own axes, m
-  vec3 root;         // m in the world
-  vec3 up;           // along the grass
-  vec3 normal;       // of what it grows on
-  vec3 below;        // from the shell below to this one, m
-  vec3 above;        // from this one to the shell above
-  vec3 bend;         // direction times intensity
-  vec3 push;         // part of it that colliders give
-  vec3 size;         // x tallest blade m; y height of this shell over its root m; z height of the canopy over that of the open meadow
-  vec4 light;        // x part of the blades that grow; y dryness; z brightness with the slope's light and colliders'; w |F| of eq. 14
-  vec4 shade;        // x m over the root that solids and hills hide from the sun; y to the nearest solid, m; zw wind, m/s
-} v;
+#ifdef QUICK
+struct ShellVertex { SHELL_VERTEX_MEMBERS };
+ShellVertex v;
+out vec4 walkAlong;  // where in the texture the ray begins, and its way to the shell below
+out vec4 walkLean;   // xy of blades in still air at the tip, squares of the texture; z its level; w part of the blades that grow
+out vec4 footFade;   // rgb of the picture at the foot; w how far grass has become the ground's shading
+out vec4 tipAfar;    // rgb at the tip; w how far blades can't be told apart
+out vec3 afarColour; // of the picture, where they can't
+#else
+out ShellVertex { SHELL_VERTEX_MEMBERS } v;
+#endif
 flat out vec3 heights;  // of the shell below, this one, the one above, 0..1
+
+#ifdef QUICK
+#include "shaders/include/atmosphere.glsl"
+#include "shaders/include/tone_map.glsl"
+#include "shaders/include/shell_light.glsl"
+
+// For a software renderer: the ray's way and the light are found at the corners, too.
+void quicken(vec3 below) {
+  vec3 eye = directionToCamera(v.place);
+  float facing = min(-dot(eye, v.normal), -0.02);
+  vec3 along = -eye * (dot(below, v.normal) / -facing) + below;
+  float perMetre = pixelsPerMetre(v.place);
+  float level = clamp(log2(shell.size.z / perMetre) + kBlur, 0.0, shell.size.w);
+  vec2 clump = clumpLean(v.own.xz * shell.size.y, perMetre);
+  walkAlong = vec4(v.own.xz, along.xz) * shell.size.y;
+  walkLean = vec4(clump * (v.size.x * shell.size.y), level, v.shade.y < 0.0 ? 0.0 : v.light.x);
+  ShellSeen seen = ShellSeen(shell.mean.rgb, 1.0, 0.5, 0.15, 0.15);
+  footFade = vec4(toPicture(throughAir(litBlade(seen, v.bend, clump, v.root.xz, eye), v.place)), standing(v.size.x * perMetre));
+  seen.height = 0.8;
+  seen.along = 1.0;
+  tipAfar = vec4(toPicture(throughAir(litBlade(seen, v.bend, clump, v.root.xz, eye), v.place)), farness(perMetre));
+  afarColour = toPicture(throughAir(litAfar(v.root.xz, eye), v.place));
+}
+#endif
 
 // Grass beside a collider gives way: direction and intensity, and in w the room that is left under it, m.
 vec4 pressed(vec3 root, vec3 up, float height) {
@@ -102,8 +124,8 @@ void main() {
   margin = inMargin(place);
   float share = mapHeight(place) * mix(1.0, 0.3, smoothstep(0.0, 0.8, beyondField(place) / grass.tileCentre.z));
   float tufts = noiseAtLevel(place, 11.0, 1.0).b + noiseAtLevel(place.yx, 4.3, 1.0).r - 1.0;
-  height *= share * (1.0 + 0.5 * grass.size.z * tufts);
-  float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0);
+  height *= share * (1.0 + 0.3 * grass.size.z * tufts);
+  float grown = mapDensity(place) * slopeDensity(v.normal) * clamp(1.0 - margin, 0.0, 1.0) * shell.root.w;
   vec2 broad = meadowPatch(place);
   SolidsNear solids = solidsNear(place);
   v.shade.xy = vec2(max(solids.shadowHeight, softened(ground.shadowHeight)), solids.distanceM);
@@ -123,5 +145,10 @@ void main() {
   v.shade.zw = smoothWind(v.root.xz);
   v.light = vec4(grown, broad.x, broad.y * slopeLight(v.normal, sunlit) * shaded, shadeForce(length(v.shade.zw)));
   heights = vec3(float(lower), float(end), float(upper)) / shell.table.x;
+#ifdef QUICK
+  quicken(v.below);
+#endif
   gl_Position = frame.viewProjection * vec4(v.place, 1.0);
+  // Blades that lie flat bring shells together: the upper one is seen.
+  gl_Position.z -= 4e-6 * heights.y * gl_Position.w;
 }

@@ -19,7 +19,9 @@ struct ShellBlock {
   vec4 table;   // x segments of a blade; y rows of the table of offsets; z exponent of the height's code; w texels a step
   vec4 look;    // x most steps between two shells; y height in pixels at which grass has become ground, 0: never; z samples a
                 // pixel; w m within which lattices have their own size, where projection is parallel, else 0
-  vec4 root;    // rgb colour of a blade's root over its upper part's; w 1 where the texture is the user's picture
+  vec4 root;    // rgb colour of a blade's root over its upper part's; w part of the texture's blades that the
+                // ground has
+  vec4 mean;    // rgb mean colour of the texture
 };
 
 /// A piece of a shell: a tile of the ground or a whole surface.
@@ -32,7 +34,7 @@ struct ShellInstance {
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::ShellBlock) == 7 * 16, "std140 layout");
+static_assert(sizeof(windloom::shared::ShellBlock) == 8 * 16, "std140 layout");
 static_assert(sizeof(windloom::shared::ShellInstance) == 16, "std430 layout");
 #endif
 #endif

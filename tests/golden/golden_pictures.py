@@ -41,6 +41,12 @@ PICTURES = [
     ("fur-patches", "fur", ["--camera", "near", "--time", "1", "--grass-view", "patches"]),
     ("moebius-culled", "moebius", ["--camera", "hero", "--time", "1", "--grass-view", "culled"]),
     ("fur-strength", "fur", ["--camera", "hero", "--time", "4", "--grass-view", "strength"]),
+    ("prairie-near", "prairie", ["--camera", "near", "--time", "4"]),
+    ("prairie-hero", "prairie", ["--camera", "hero", "--time", "7"]),
+    ("prairie-air", "prairie", ["--camera", "air", "--time", "7"]),
+    ("prairie-grazing", "prairie", ["--camera", "grazing", "--time", "7"]),
+    ("knoll-hero", "knoll", ["--camera", "hero", "--time", "4"]),
+    ("knoll-near", "knoll", ["--camera", "near", "--time", "4"]),
     ("fur-wireframe", "fur", ["--camera", "near", "--time", "1", "--grass-view", "wireframe"]),
 ]
 # Of forms.wind.json: name, form, part of the blades that are dandelions.

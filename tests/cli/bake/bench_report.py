@@ -106,7 +106,7 @@ class BenchReport(harness.Case):
             self.assertAlmostEqual(row["fps"], 1000 / row["frame ms"], delta=1e-3 * row["fps"])
             self.assertLessEqual(row["textures MB"], 32)
             ground = row["shells"] == "1 (ground)"
-            for key in ("grass ms", "triangles", "layers"):
+            for key in ("triangles", "layers"):
                 self.assertEqual(row[key] == 0, ground, (row["shells"], key))
         for samples in (1, "own"):
             plain = [row for row in table if row["samples"] == samples and row["shells"].endswith("plain")]
@@ -117,11 +117,11 @@ class BenchReport(harness.Case):
                     self.assertGreater(more["fragments a pixel"], few["fragments a pixel"], more["shells"])
         compared = [row for row in rows if row["what"] == "compared"]
         self.assertEqual([row["camera"] for row in compared],
-                         [f"prairie {camera}" for camera in ("hero", "air", "grazing", "near", "top", "worst")] + ["knoll hero"])
+                         ["prairie hero", "prairie worst", "knoll hero"])
         for row in compared:
             self.assertTrue(0.3 < row["SSIM"] <= 1, row)
             self.assertTrue(85 < row["brightness %"] < 115, row)
-            self.assertGreater(row["65 plain: grass ms"], 0)
+            self.assertGreater(row["layers"], 0)
             self.assertAlmostEqual(row["cost, frame"], row["frame ms"] / row["65 plain: frame ms"], delta=1e-6)
 
     def test_compares_pictures_and_keeps_them(self):

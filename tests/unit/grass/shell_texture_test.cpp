@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "engine/grass/shell_blades.hpp"
+#include "engine/grass/shell_clumps.hpp"
 #include "engine/grass/shell_colour.hpp"
 #include "tests/unit/grass/shell_fixture.hpp"
 
@@ -273,7 +274,42 @@ double alikeness(float clumping) {
 
 TEST(ShellBlades, ClumpsShareTheirHeight) {
   EXPECT_NEAR(alikeness(0.0f), 0.0, 0.05);
-  EXPECT_GT(alikeness(1.0f), 0.4);
+  EXPECT_GT(alikeness(1.0f), 0.3);
+}
+
+TEST(ShellClumps, AreEvenAndUnlikeTheirNeighbours) {
+  for (const std::uint32_t seed : {1u, 2u, 3u, 99u}) {
+    const ShellClumps clumps(4.0f, seed);
+    const int cells = clumps.cells();
+    ASSERT_EQ(cells, 5);
+    std::vector<float> values;
+    double together = 0, apart = 0;
+    for (int i = 0; i < cells * cells; ++i) {
+      const auto value = [&](int x, int y) {
+        const int at = (y + cells) % cells * cells + (x + cells) % cells;
+        return static_cast<double>(clumps.all()[static_cast<std::size_t>(at)].bright) - 0.5;
+      };
+      const int x = i % cells, y = i / cells;
+      values.push_back(clumps.all()[static_cast<std::size_t>(i)].bright);
+      together += value(x, y) * (value(x + 1, y) + value(x, y + 1)) / 2.0;
+      apart += value(x, y) * value(x, y);
+    }
+    EXPECT_LT(together, -0.1 * apart) << "seed " << seed;
+    std::ranges::sort(values);
+    for (std::size_t n = 0; n < values.size(); ++n) {
+      EXPECT_NEAR(values[n], (static_cast<double>(n) + 0.5) / 25.0, 0.021) << "seed " << seed;
+    }
+  }
+}
+
+TEST(ShellClumps, WrapAround) {
+  const ShellClumps clumps(3.0f, 5);
+  for (int i = 0; i < 40; ++i) {
+    const glm::vec2 place(0.025f * static_cast<float>(i), 0.375f);
+    EXPECT_EQ(&clumps.at(place), &clumps.at(place + glm::vec2(1.0f, -2.0f)));
+  }
+  EXPECT_EQ(ShellClumps(0.01f, 5).all().size(), 1u);
+  EXPECT_EQ(ShellClumps(1000.0f, 5).cells(), 40);
 }
 
 TEST(ShellBlades, SpeciesShareTheTileByTheirWeights) {
