@@ -61,7 +61,7 @@ TEST(Surfaces, EachActionAddsItsShapeInTheMiddleOfTheView) {
   }
   expectNear(b.project().surfaces->front().position, {12, -7}, 0.01f);
   EXPECT_GT(glm::distance(b.project().surfaces->back().position, glm::vec2(12, -7)), 1.0f) << "beside the others";
-  EXPECT_NE(b.w.message().text.find("key 2"), std::string::npos) << "nothing grows on it yet: " << b.w.message().text;
+  EXPECT_NE(b.w.message().text.find("keys 2 and 3"), std::string::npos) << "nothing grows on it yet: " << b.w.message().text;
   EXPECT_EQ(b.steps(), 4u);
 }
 
