@@ -127,25 +127,26 @@ Hit walked(Walk walk, float level, float grown) {
   return Hit(a, heights.y, form, place);
 }
 #else
+// Looks where the paper's shells would be, one for each segment of a blade: more often where the ray runs far over the ground between
+// two of them, less often where they are closer than texels.
 Hit walked(Walk walk, float level, float grown) {
-  float squareTexels = shell.size.z / shell.size.y;
-  float texels = length(walk.along) * squareTexels;
+  float texels = length(walk.along) * shell.size.z / shell.size.y;
+  float segments = (walk.high - walk.low) * shell.table.x;
   float wanted = texels * exp2(-max(level, 0.0)) / shell.table.w;
-  int steps = int(clamp(ceil(wanted), 1.0, shell.look.x));
+  float steps = clamp(segments * exp2(ceil(log2(max(wanted, 1e-3) / segments))), 1.0, shell.look.x);
   // Where the way is too long for so many steps they cover larger texels.
-  level = max(level, log2(max(texels / (float(steps) * shell.table.w), 1e-3)));
+  level = max(level, log2(max(texels / (steps * shell.table.w), 1e-3)));
   float sharpness = max(exp2(-level), 1.0) * kSharpness;
   Hit hit = Hit(0.0, 0.0, vec4(0.5), walk.from);
   float best = 0.0;
   float clear = 1.0;
-  for (int i = 0; i < steps; ++i) {
-    float begin = float(i) / float(steps), end = float(i + 1) / float(steps);
-    float high = walk.down ? mix(walk.high, walk.low, begin) : mix(walk.low, walk.high, end);
-    float low = walk.down ? mix(walk.high, walk.low, end) : mix(walk.low, walk.high, begin);
-    vec2 place = walk.from + walk.along * (0.5 * (begin + end)) - mix(walk.lean, walk.leanEnd, 0.5 * (begin + end)) * (0.25 * (high + low) * (high + low));
+  for (float i = 0.5; i < steps; i += 1.0) {
+    float part = i / steps;
+    float height = walk.down ? mix(walk.high, walk.low, part) : mix(walk.low, walk.high, part);
+    vec2 place = walk.from + walk.along * part - mix(walk.lean, walk.leanEnd, part) * (height * height);
     vec4 form = textureLod(shellForm, place, level);
-    float a = covered(form.r, codeOf(low), sharpness) * step(form.b, grown) * clear;
-    hit.height += a * clamp(heightOf(form.r), low, high);
+    float a = covered(form.r, codeOf(height), sharpness) * step(form.b, grown) * clear;
+    hit.height += a * height;
     if (a > best) {
       best = a;
       hit.form = form;

@@ -5,17 +5,17 @@
 const float kThinned = 0.65;
 // Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
 const float kBlur = 0.7;
-// Size of the noise that blades in still air lean by.
-const float kClumpLeanM = 4.0;
+// Size of the noise that blades in still air lean by, and its finest detail: the texture must not be torn.
+const float kClumpLeanM = 9.0, kClumpDetailM = 0.7;
 
 // Of the clump at a place of the texture, over the blades' height.
 vec2 clumpLean(vec2 place, float perMetre) {
-  float level = log2(256.0 / (kClumpLeanM * perMetre));
-  return (noiseAtLevel(place / shell.size.y, kClumpLeanM, level).rg - 0.5) * (5.0 * shell.bend.z);
+  float level = log2(256.0 / kClumpLeanM * max(1.0 / perMetre, kClumpDetailM));
+  return (noiseAtLevel(place / shell.size.y, kClumpLeanM, level).rg - 0.5) * (4.0 * shell.bend.z);
 }
 
 // How far blades are narrower than a pixel, so that more and more the canopy as a whole is seen. `perMetre` of the texture.
-float farness(float perMetre) { return smoothstep(0.9, 0.2, grass.size.x * perMetre); }
+float farness(float perMetre) { return smoothstep(0.35, 0.08, grass.size.x * perMetre); }
 
 // 0 where grass is too low to be seen and left to the ground .. 1.
 float standing(float pixels) { return shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, pixels) : 1.0; }
