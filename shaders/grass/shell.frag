@@ -27,6 +27,12 @@ flat in vec3 heights;
 #include "shaders/include/shell_light.glsl"
 
 const float kSharpness = 5.0;
+// How far a ray is followed between two shells, over the height of the blades.
+#ifdef SURFACE
+const float kLongestWalk = 1.5;
+#else
+const float kLongestWalk = 10.0;
+#endif
 // Height in which blades of surfaces are seen from afar, over the tallest.
 const float kMeanSeen = 0.6;
 
@@ -98,11 +104,19 @@ Walk walkOf(Slab at, vec3 ray, float perMetre) {
   walk.from = at.own.xz * shell.size.y;
   walk.along = along.xz * shell.size.y;
 #endif
+  walk.high = walk.down ? heights.y : heights.z;
+  walk.low = walk.down ? heights.x : heights.y;
+  // Along an outline the ray would run on and on over ground that in truth bends away.
+  float reach = min(kLongestWalk * v.size.x / max(length(along), 1e-4), 1.0);
+  walk.along *= reach;
+  if (walk.down) {
+    walk.low = mix(walk.high, walk.low, reach);
+  } else {
+    walk.high = mix(walk.low, walk.high, reach);
+  }
   float tip = v.size.x * shell.size.y;
   walk.lean = clumpLean(walk.from, perMetre) * tip;
   walk.leanEnd = clumpLean(walk.from + walk.along, perMetre) * tip;
-  walk.high = walk.down ? heights.y : heights.z;
-  walk.low = walk.down ? heights.x : heights.y;
   return walk;
 }
 
@@ -196,6 +210,8 @@ void main() {
   float afar = farness(perMetre);
 #ifdef SURFACE
   const float all = 1.0;
+  // Outlines stay those of blades.
+  afar *= smoothstep(0.1, 0.5, abs(dot(normalize(v.normal), eye)));
 #else
   float all = max(shell.root.w, 1e-3);
 #endif

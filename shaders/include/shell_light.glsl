@@ -2,7 +2,7 @@
 // shell_bend.glsl and the vertex `v` (shell_vertex.glsl).
 
 // Light at the foot of upright blades is that of leaning ones so high up: fewer of them stand in its way.
-const float kThinned = 0.65;
+const float kThinned = 0.75;
 // Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
 const float kBlur = 0.7;
 // Size of the noise that blades in still air lean by, and its finest detail: the texture must not be torn.
@@ -11,7 +11,12 @@ const float kClumpLeanM = 9.0, kClumpDetailM = 0.7;
 // Of the clump at a place of the texture, over the blades' height.
 vec2 clumpLean(vec2 place, float perMetre) {
   float level = log2(256.0 / kClumpLeanM * max(1.0 / perMetre, kClumpDetailM));
-  return (noiseAtLevel(place / shell.size.y, kClumpLeanM, level).rg - 0.5) * (4.0 * shell.bend.z);
+#ifdef SURFACE
+  const float kStrength = 6.0;  // seen from above, as on a body, upright blades are mere dots
+#else
+  const float kStrength = 4.0;
+#endif
+  return (noiseAtLevel(place / shell.size.y, kClumpLeanM, level).rg - 0.5) * (kStrength * shell.bend.z);
 }
 
 // How far blades are narrower than a pixel, so that more and more the canopy as a whole is seen. `perMetre` of the texture.
@@ -41,7 +46,7 @@ struct ShellSeen {
 // `bend` as ShellVertex, `clump` of clumpLean, `root` m.
 vec3 litBlade(ShellSeen seen, vec3 bend, vec2 clump, vec2 root, vec3 eye) {
   vec3 foot = seen.upper * shell.root.rgb * seen.rootLight;
-  vec3 green = mix(foot, seen.upper, smoothstep(0.0, 1.0, seen.along));
+  vec3 green = mix(foot, seen.upper, smoothstep(-0.25, 1.0, seen.along));
   vec3 straw = mix(foot * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, seen.along));
   vec3 albedo = mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * v.light.z;
 #ifndef SURFACE
