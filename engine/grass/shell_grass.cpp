@@ -21,7 +21,7 @@ using shared::ShellInstance;
 // Intensities in the table of offsets: straight lines between them are off by 2e-5 of a blade.
 constexpr int kIntensities = 129;
 // A software renderer draws so many shells at most, and looks between two of them so often.
-constexpr int kQuickShells = 3, kQuickSteps = 10, kFullSteps = 48;
+constexpr int kQuickShells = 4, kQuickSteps = 6, kFullSteps = 48;
 constexpr float kQuickStepTexels = 2.0f, kFullStepTexels = 1.5f;
 // Fewer shells are drawn where they are off by no more than this, pixels.
 constexpr float kErrorPixels = 0.75f;
@@ -287,9 +287,8 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   const FieldSettings& field = *project.field;
   m_area = static_cast<double>(field.size.x) * static_cast<double>(field.size.y);
   spreadLevels(view, frame);
-  const float quality = std::clamp(frame.detail, 0.02f, 1.0f);
   const bool fades = frame.thinning && shell.method == ShellMethod::Filled;
-  const float fade = fades ? kFadePixels / std::sqrt(quality) : 0.0f;
+  const float fade = fades ? kFadePixels : 0.0f;
   // Blades of the margin and of tufts are up to half as high again.
   const ShellGround ground{field.centre - 0.5f * field.size - kMeadowMarginM,
                            field.centre + 0.5f * field.size + kMeadowMarginM, project.terrain->heights.get(),

@@ -40,10 +40,11 @@ void main() {
     low -= drop;
   }
   float afar = tipAfar.w;
-  // Where blades can't be told apart, grass covers all that it grows on.
-  if ((!hit && afar < 0.5) || walkLean.w <= 0.0 || footFade.w < 0.5) discard;
+  // The lowest shell shows what is between the blades as well, and from afar all of it is covered: the ground is dearer.
+  bool lowest = heights.x <= 0.0;
+  if ((!hit && !lowest && afar < 0.5) || walkLean.w <= 0.0) discard;
   float along = clamp((low + drop) / max(form.g, 0.05), 0.0, 1.0);
   vec3 tint = sqrt(textureLod(shellColour, place, level).rgb / max(shell.mean.rgb, 1e-3));
-  vec3 near = mix(footFade.rgb, tipAfar.rgb, along * along * (3.0 - 2.0 * along)) * tint;
-  sceneColour = vec4(mix(near, afarColour * (0.9 + 0.2 * form.a), afar), 1.0);
+  vec3 near = hit ? mix(footFade.rgb, tipAfar.rgb, along * along * (3.0 - 2.0 * along)) * tint : footFade.rgb * 0.7;
+  sceneColour = vec4(mix(near, afarColour * (0.9 + 0.2 * form.a), max(afar, 1.0 - footFade.w)), 1.0);
 }
