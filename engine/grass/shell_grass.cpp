@@ -22,7 +22,6 @@ using shared::ShellInstance;
 constexpr int kIntensities = 129;
 // A software renderer draws so many shells at most, and looks between two of them so often.
 constexpr int kQuickShells = 4, kQuickSteps = 6, kFullSteps = 48;
-constexpr float kQuickStepTexels = 2.0f, kFullStepTexels = 1.5f;
 // Fewer shells are drawn where they are off by no more than this, pixels.
 constexpr float kErrorPixels = 0.75f;
 // Blades lower than this on the screen have become the ground's shading (kFadePixels of grass_layout.cpp).
@@ -315,7 +314,7 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   block.rings = {shell.sourceStep, shell.sourceDelay, shell.wind != ShellWind::Source ? 1.0f : 0.0f,
                  shell.stiffnessCurve};
   block.table = {static_cast<float>(segmentsOf(shell)), static_cast<float>(kIntensities), m_texture.heightCurve,
-                 frame.quick ? kQuickStepTexels : kFullStepTexels};
+                 frame.thinning ? 0.0f : 1.0f};
   block.look = {static_cast<float>(frame.quick ? kQuickSteps : kFullSteps), fade, static_cast<float>(frame.samples),
                 scale};
   // The hue of the root; how dark it is stands in the texture.

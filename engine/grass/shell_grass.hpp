@@ -29,7 +29,7 @@ namespace windloom {
 /// How the shell grass of a frame is drawn; see FrameQuality.
 struct ShellFrame {
   float detail = 1.0f;   ///< 0..1
-  bool thinning = true;  ///< false: it doesn't turn into the ground's shading, however small it is
+  bool thinning = true;  ///< false: it doesn't turn into the ground's shading, however small, and shows just what plain shells would
   int samples = 1;       ///< a pixel
   bool quick = false;    ///< on a software renderer
 };

@@ -278,7 +278,7 @@ class FrameRendererImpl final : public FrameRenderer {
   }
 
   void updateOccluders(const FrameInput& input) {
-    if (!occluding()) {
+    if (!occluding() || isShell(*input.project)) {  // shells are not culled by it
       m_parts.occluders.bind();
       return;
     }

@@ -27,12 +27,16 @@ flat in vec3 heights;
 #include "shaders/include/shell_light.glsl"
 
 const float kSharpness = 5.0;
+// Texels of the level that is read from one look to the next.
+const float kStrideTexels = 3.0;
 // How far a ray is followed between two shells, over the height of the blades.
 #ifdef SURFACE
 const float kLongestWalk = 1.5;
 #else
 const float kLongestWalk = 10.0;
 #endif
+// How much less deep blades are seen for each level of the texture.
+const float kHiddenALevel = 0.05;
 // Height in which blades of surfaces are seen from afar, over the tallest.
 const float kMeanSeen = 0.6;
 
@@ -77,6 +81,7 @@ struct Walk {
   vec2 from, along;      // squares of the texture
   float high, low;       // heights at its upper and its lower end, 0..1
   bool down;             // it begins at the upper end
+  float pixels;          // that the slab is high on the screen
   vec2 lean, leanEnd;    // of blades in still air at the tip, where it begins and where it ends, squares of the texture
 };
 
@@ -94,6 +99,7 @@ Walk walkOf(Slab at, vec3 ray, float perMetre) {
   Walk walk;
   walk.down = facing < 0.0;
   vec3 slab = walk.down ? at.below : at.above;
+  walk.pixels = length(cross(slab, ray)) * pixelsPerMetre(v.place);
   // Blades that cross the slab at the root they begin with: the ray's way over the ground less the blades'.
   vec3 along = ray * (dot(slab, n) / max(abs(facing), 1e-3)) + (walk.down ? slab : -slab);
 #ifdef SURFACE
@@ -101,8 +107,8 @@ Walk walkOf(Slab at, vec3 ray, float perMetre) {
   walk.from = onTexture(at.own, side) * shell.size.y;
   walk.along = onTexture(toOwn * along / surface.x, side) * shell.size.y;
 #else
-  walk.from = at.own.xz * shell.size.y;
-  walk.along = along.xz * shell.size.y;
+  walk.from = wandered(at.own.xz) * shell.size.y;
+  walk.along = wandered(at.own.xz + along.xz) * shell.size.y - walk.from;
 #endif
   walk.high = walk.down ? heights.y : heights.z;
   walk.low = walk.down ? heights.x : heights.y;
@@ -146,15 +152,15 @@ Hit walked(Walk walk, float level, float grown) {
 Hit walked(Walk walk, float level, float grown) {
   float texels = length(walk.along) * shell.size.z / shell.size.y;
   float segments = (walk.high - walk.low) * shell.table.x;
-  float wanted = texels * exp2(-max(level, 0.0)) / shell.table.w;
-  float steps = clamp(segments * exp2(ceil(log2(max(wanted, 1e-3) / segments))), 1.0, shell.look.x);
+  float wanted = max(texels * exp2(-max(level, 0.0)) / kStrideTexels, walk.pixels);
+  float steps = shell.table.w > 0.5 ? segments : clamp(segments * exp2(ceil(log2(max(wanted, 1e-3) / segments))), 1.0, shell.look.x);
   // Where the way is too long for so many steps they cover larger texels.
-  level = max(level, log2(max(texels / (steps * shell.table.w), 1e-3)));
+  if (shell.table.w < 0.5) level = max(level, log2(max(texels / (steps * kStrideTexels), 1e-3)));
   float sharpness = max(exp2(-level), 1.0) * kSharpness;
   Hit hit = Hit(0.0, 0.0, vec4(0.5), walk.from);
   float best = 0.0;
   float clear = 1.0;
-  for (float i = 0.5; i < steps; i += 1.0) {
+  for (float i = 0.0; i < steps; i += 1.0) {
     float part = i / steps;
     float height = walk.down ? mix(walk.high, walk.low, part) : mix(walk.low, walk.high, part);
     vec2 place = walk.from + walk.along * part - mix(walk.lean, walk.leanEnd, part) * (height * height);
@@ -179,6 +185,10 @@ Hit walked(Walk walk, float level, float grown) {
 vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, float afar, vec3 eye) {
   vec4 texel = textureLod(shellColour, hit.place, level);
   float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
+  // Coarser levels keep what blades cover, but a few broad ones hide less of what is behind them than many narrow ones.
+  float hidden = 1.0 - kHiddenALevel * clamp(level - kBlur, 0.0, 4.0);
+  hit.height = 1.0 - (1.0 - hit.height) * hidden;
+  along = 1.0 - (1.0 - along) * hidden;
 #ifdef SURFACE
   hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
   along = mix(along, 1.0, 0.8 * afar);

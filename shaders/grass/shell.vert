@@ -51,8 +51,9 @@ void quicken(vec3 below) {
   vec3 along = -eye * (dot(below, v.normal) / -facing) + below;
   float perMetre = pixelsPerMetre(v.place);
   float level = clamp(log2(shell.size.z / perMetre) + kBlur, 0.0, shell.size.w);
-  vec2 clump = clumpLean(v.own.xz * shell.size.y, perMetre);
-  walkAlong = vec4(v.own.xz, along.xz) * shell.size.y;
+  vec2 from = wandered(v.own.xz);
+  vec2 clump = clumpLean(from * shell.size.y, perMetre);
+  walkAlong = vec4(from, wandered(v.own.xz + along.xz) - from) * shell.size.y;
   walkLean = vec4(clump * (v.size.x * shell.size.y), level, v.shade.y < 0.0 ? 0.0 : v.light.x);
   ShellSeen seen = ShellSeen(shell.mean.rgb, 1.0, 0.5, 0.15, 0.15);
   footFade = vec4(toPicture(throughAir(litBlade(seen, v.bend, clump, v.root.xz, eye), v.place)), standing(v.size.x * perMetre));
@@ -115,8 +116,7 @@ void main() {
   const float softness = 1.0;
   vec2 place = latticePlace(instance, instance.side / float(quads));
   v.root = vec3(place.x, groundHeight(place), place.y);
-  // Wandering a little, so that the texture's repeats don't line up.
-  v.own = v.root + 3.0 * (noiseAtLevel(place, 61.0, 1.0).rbg - 0.5);
+  v.own = v.root;
   GroundLight ground = groundLight(place, 0.0);
   v.normal = ground.normal;
   v.up = normalize(mix(vec3(0.0, 1.0, 0.0), v.normal, grass.ground.x));

@@ -15,9 +15,11 @@ in vec3 afarColour;
 flat in vec3 heights;
 layout(location = 0) out vec4 sceneColour;
 
+const float kStrideTexels = 2.0;  // from one look to the next
+
 void main() {
   float level = walkLean.z;
-  float texels = length(walkAlong.zw) * shell.size.z / shell.size.y * exp2(-level) / shell.table.w;
+  float texels = length(walkAlong.zw) * shell.size.z / shell.size.y * exp2(-level) / kStrideTexels;
   float steps = clamp(ceil(texels), 1.0, shell.look.x);
   level = floor(max(level, level + log2(max(texels / steps, 1e-3))) + 0.5);
   float part = 1.0 / steps;

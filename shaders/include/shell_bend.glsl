@@ -38,3 +38,8 @@ vec3 shellOffset(uint end, vec3 bend, vec3 up, float height) {
   vec2 offset = shellOffsetAt(end, intensity) * height;
   return up * offset.x + bend * (offset.y / max(intensity, 1e-5));
 }
+
+// Where a root of the ground lies in the texture, m: wandering a little, so that its repeats don't line up.
+vec2 wandered(vec2 root) {
+  return root + vec2(1.3 * sin(0.11 * root.y) + 0.6 * sin(0.17 * root.x + 0.23 * root.y), 1.2 * sin(0.12 * root.x + 1.0) + 0.6 * sin(0.19 * root.y - 0.21 * root.x));
+}

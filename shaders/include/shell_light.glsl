@@ -2,7 +2,7 @@
 // shell_bend.glsl and the vertex `v` (shell_vertex.glsl).
 
 // Light at the foot of upright blades is that of leaning ones so high up: fewer of them stand in its way.
-const float kThinned = 0.75;
+const float kThinned = 0.76;
 // Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
 const float kBlur = 0.7;
 // Size of the noise that blades in still air lean by, and its finest detail: the texture must not be torn.
@@ -51,7 +51,7 @@ struct ShellSeen {
 // `bend` as ShellVertex, `clump` of clumpLean, `root` m.
 vec3 litBlade(ShellSeen seen, vec3 bend, vec2 clump, vec2 root, vec3 eye) {
   vec3 foot = seen.upper * shell.root.rgb * seen.rootLight;
-  vec3 green = mix(foot, seen.upper, smoothstep(-0.25, 1.0, seen.along));
+  vec3 green = mix(foot, seen.upper, smoothstep(-0.2, 1.0, seen.along));
   vec3 straw = mix(foot * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, seen.along));
   vec3 albedo = mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * v.light.z;
 #ifndef SURFACE

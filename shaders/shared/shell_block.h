@@ -16,7 +16,8 @@ struct ShellBlock {
   vec4 bend;    // x intensity a weak wind gives per m/s times pi / 4; y its limit; z by how much clumps lean; w flutter
   vec4 source;  // x, z m: of the analytic source; z strength, 0: none; w period s
   vec4 rings;   // x width of its rings m; y delay of each s; z 1 where the simulated wind blows; w stiffness exponent
-  vec4 table;   // x segments of a blade; y rows of the table of offsets; z exponent of the height's code; w texels a step
+  vec4 table;   // x segments of a blade; y rows of the table of offsets; z exponent of the height's code; w 1: blades are looked for
+                // once a segment, where plain shells would be
   vec4 look;    // x most steps between two shells; y height in pixels at which grass has become ground, 0: never; z samples a
                 // pixel; w m within which lattices have their own size, where projection is parallel, else 0
   vec4 root;    // rgb colour of a blade's root over its upper part's; w part of the texture's blades that the
