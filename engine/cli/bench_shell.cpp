@@ -14,6 +14,7 @@ namespace {
 constexpr glm::ivec2 kSizes[] = {{640, 480}, {1024, 768}, {1920, 1080}, {3840, 2160}};
 // The paper's own; a frame of 65 plain shells takes a software renderer minutes at the others.
 constexpr std::ptrdiff_t kSizesInSoftware = 2;
+constexpr int kPaperSizes = 1024;  // wide at most
 // Part of the time that a row may take: a software renderer would take as long for each of these many rows.
 constexpr double kCapInSoftware = 0.25;
 constexpr glm::ivec2 kComparedSize{1920, 1080}, kComparedSizeInSoftware{320, 180}, kQuickSize{128, 96};
@@ -84,10 +85,10 @@ struct ShellBench {
   std::vector<BenchRow> rows;
 
   Result<FrameTimes> measured(FrameBench& frames, const Scene& scene, const Project& project, const Camera& camera,
-                              int samples) const {
+                              const FrameQuality& quality) const {
     frames.hold(scene.texture(), scene.wind->time());
     frames.countWork();
-    return frames.run(project, nullptr, viewThrough(camera), {.samples = samples});
+    return frames.run(project, nullptr, viewThrough(camera), quality);
   }
 
   void addRow(const std::string& shells, glm::ivec2 size, int samples, const FrameTimes& times,
@@ -116,15 +117,16 @@ struct ShellBench {
     Result<FrameBench> frames = FrameBench::create(setup, size);
     if (!frames) return frames.error();
     const Result<FrameTimes> ground =
-        measured(*frames, prairie, withKind(prairie.project, GrassKind::None), camera, samples);
+        measured(*frames, prairie, withKind(prairie.project, GrassKind::None), camera, {.samples = samples});
     if (!ground) return ground.error();
     addRow("1 (ground)", size, samples, *ground, *ground);
     for (const int shells : kPlainShells) {
-      const Result<FrameTimes> times = measured(*frames, prairie, withPlain(prairie.project, shells), camera, samples);
+      const Result<FrameTimes> times =
+          measured(*frames, prairie, withPlain(prairie.project, shells), camera, {.samples = samples});
       if (!times) return times.error();
       addRow(std::to_string(shells + 1) + " plain", size, samples, *times, *ground);
     }
-    const Result<FrameTimes> ours = measured(*frames, prairie, prairie.project, camera, samples);
+    const Result<FrameTimes> ours = measured(*frames, prairie, prairie.project, camera, {.samples = samples});
     if (!ours) return ours.error();
     addRow(std::to_string(prairie.project.shell->shells + 1) + " filled", size, samples, *ours, *ground);
     return Done{};
@@ -135,33 +137,42 @@ struct ShellBench {
     Result<FrameBench> frames = FrameBench::create(setup, size);
     if (!frames) return frames.error();
     const Result<FrameTimes> ground =
-        measured(*frames, scene, withKind(scene.project, GrassKind::None), camera, kOwnSamples);
+        measured(*frames, scene, withKind(scene.project, GrassKind::None), camera, {.samples = kOwnSamples});
     if (!ground) return ground.error();
     const Result<FrameTimes> plain =
-        measured(*frames, scene, withPlain(scene.project, kPlainShells[3]), camera, kOwnSamples);
+        measured(*frames, scene, withPlain(scene.project, kPlainShells[3]), camera, {.samples = kOwnSamples});
     if (!plain) return plain.error();
     const FloatImage expected = halfLuma(frames->picture());
-    const Result<FrameTimes> ours = measured(*frames, scene, scene.project, camera, kOwnSamples);
-    if (!ours) return ours.error();
-    const FloatImage seen = halfLuma(frames->picture());
-    const double ourMs = grassMs(*ours, *ground), plainMs = grassMs(*plain, *ground);
+    for (const bool same : {true, false}) {
+      const Result<FrameTimes> ours =
+          measured(*frames, scene, scene.project, camera, {.thinning = !same, .samples = kOwnSamples});
+      if (!ours) return ours.error();
+      addComparison(scene, camera, size, same, *ours, *plain, *ground, halfLuma(frames->picture()), expected);
+    }
+    return Done{};
+  }
+
+  /// `same`: it looked only where the plain shells are, not closer, and didn't turn into the ground far away.
+  void addComparison(const Scene& scene, const Camera& camera, glm::ivec2 size, bool same, const FrameTimes& ours,
+                     const FrameTimes& plain, const FrameTimes& ground, const FloatImage& seen,
+                     const FloatImage& expected) {
+    const double ourMs = grassMs(ours, ground), plainMs = grassMs(plain, ground);
     rows.push_back({{"what", "compared"},
                     {"camera", scene.name + " " + camera.name},
                     {"size", text(size)},
                     {"samples", "own"},
-                    {"shells", std::to_string(scene.project.shell->shells + 1) + " filled"},
-                    {"frame ms", ours->frameMs},
+                    {"shells", std::to_string(scene.project.shell->shells + 1) + (same ? " filled as 65" : " filled")},
+                    {"frame ms", ours.frameMs},
                     {"grass ms", ourMs},
-                    {"65 plain: frame ms", plain->frameMs},
+                    {"65 plain: frame ms", plain.frameMs},
                     {"65 plain: grass ms", plainMs},
-                    {"cost, frame", ours->frameMs / std::max(plain->frameMs, 1e-6)},
+                    {"cost, frame", ours.frameMs / std::max(plain.frameMs, 1e-6)},
                     {"cost, grass", ourMs / std::max(plainMs, 1e-6)},
                     {"SSIM", meanSsim(seen, expected)},
                     {"brightness %", 100 * meanOf(seen) / meanOf(expected)},
-                    {"layers", ours->shell.layers},
-                    {"textures MB", static_cast<double>(ours->shellBytes) / 1e6},
-                    {"runs", ours->frames}});
-    return Done{};
+                    {"layers", ours.shell.layers},
+                    {"textures MB", static_cast<double>(ours.shellBytes) / 1e6},
+                    {"runs", ours.frames}});
   }
 
   [[nodiscard]] glm::ivec2 comparedSize() const {
@@ -199,6 +210,10 @@ Result<std::vector<BenchRow>> benchShell(const BenchSetup& asked) {
   }
   const glm::ivec2 compared = bench.comparedSize();
   if (Status added = bench.addTable(*prairie, *worst, compared, kOwnSamples); !added) return added.error();
+  for (const glm::ivec2 size : sizes) {
+    if (size.x > kPaperSizes) break;
+    if (Status added = bench.addCompared(*prairie, *worst, size); !added) return added.error();
+  }
   for (const Camera& camera : cameras) {
     if (setup.size == BenchSize::Quick && camera.name != cameras.front().name && camera.name != kWorst) continue;
     if (Status added = bench.addCompared(*prairie, camera, compared); !added) return added.error();
