@@ -24,6 +24,9 @@ constexpr int kIntensities = 129;
 constexpr int kQuickShells = 4, kQuickSteps = 6, kFullSteps = 48;
 // Fewer shells are drawn where they are off by no more than this, pixels.
 constexpr float kErrorPixels = 0.75f;
+// Tiles whose shells are drawn together, layer by layer: what the upper ones hide is known by the time the lower ones
+// are drawn, which it isn't yet where they follow at once.
+constexpr std::size_t kTilesTogether = 48;
 // Blades lower than this on the screen have become the ground's shading (kFadePixels of grass_layout.cpp).
 constexpr float kFadePixels = 2.2f;
 // The way from a blade's tip in a weak wind to the intensity, see shellIntensity.
@@ -203,21 +206,44 @@ void ShellGrass::spreadLevels(const shared::FrameBlock& view, const ShellFrame& 
   }
 }
 
-void ShellGrass::addTile(const ShellTile& tile, std::size_t at) {
-  const Level& level = m_levels[at];
-  const bool atEdge = at + 1 < m_levels.size() && tile.farthest >= m_levels[at + 1].from;
-  for (std::size_t i = level.count; i-- > 0;) {
-    const std::vector<int>& ends = level.placing.ends;
-    int below = i == 0 ? 0 : ends[i - 1];
-    // Behind this tile there are fewer shells: a ray that leaves it may meet none of them before the next one that both
-    // have.
-    if (atEdge) {
-      const std::vector<int>& coarser = m_levels[at + 1].placing.ends;
-      const auto next = std::ranges::lower_bound(coarser, ends[i]);
-      below = next == coarser.begin() ? 0 : *std::prev(next);
+/// The shell with this index of a tile's.
+void ShellGrass::addShell(const ShellTile& tile, std::size_t at, std::size_t i) {
+  const std::vector<int>& ends = m_levels[at].placing.ends;
+  int below = i == 0 ? 0 : ends[i - 1];
+  // Behind this tile there are fewer shells: a ray that leaves it may meet none of them before the next one that both
+  // have.
+  if (at + 1 < m_levels.size() && tile.farthest >= m_levels[at + 1].from) {
+    const std::vector<int>& coarser = m_levels[at + 1].placing.ends;
+    const auto next = std::ranges::lower_bound(coarser, ends[i]);
+    below = next == coarser.begin() ? 0 : *std::prev(next);
+  }
+  const int above = i + 1 < ends.size() ? ends[i + 1] : ends[i];
+  m_list.push_back({tile.low.x, tile.low.y, tile.side, packedEnds(below, ends[i], above)});
+}
+
+std::size_t ShellGrass::levelOf(const ShellTile& tile) const {
+  std::size_t level = m_levels.size() - 1;
+  while (level > 0 && m_levels[level].from > tile.nearest) --level;
+  while (level + 1 < m_levels.size() && m_levels[level + 1].from <= 0) ++level;
+  return level;
+}
+
+/// Near groups of tiles first, and of a group the uppermost shells first.
+void ShellGrass::listFilled(const std::vector<ShellTile>& tiles) {
+  for (std::size_t first = 0; first < tiles.size(); first += kTilesTogether) {
+    const std::size_t last = std::min(first + kTilesTogether, tiles.size());
+    const std::size_t most = m_levels[levelOf(tiles[first])].count;
+    for (std::size_t down = 1; down <= most; ++down) {
+      for (std::size_t at = first; at < last; ++at) {
+        const std::size_t level = levelOf(tiles[at]);
+        if (down <= m_levels[level].count) addShell(tiles[at], level, m_levels[level].count - down);
+      }
     }
-    const int above = i + 1 < ends.size() ? ends[i + 1] : ends[i];
-    m_list.push_back({tile.low.x, tile.low.y, tile.side, packedEnds(below, ends[i], above)});
+  }
+  for (const ShellTile& tile : tiles) {
+    const Level& level = m_levels[levelOf(tile)];
+    if (m_counts.nearShells == 0) m_counts.nearShells = static_cast<int>(level.count);
+    m_counts.skippedLayers += static_cast<int>(level.placing.ends.size() - level.count);
   }
 }
 
@@ -234,14 +260,7 @@ void ShellGrass::listTiles(const std::vector<ShellTile>& tiles) {
     }
     m_counts.nearShells = static_cast<int>(ends.size());
   } else {
-    for (const ShellTile& tile : tiles) {
-      std::size_t level = m_levels.size() - 1;
-      while (level > 0 && m_levels[level].from > tile.nearest) --level;
-      while (level + 1 < m_levels.size() && m_levels[level + 1].from <= 0) ++level;
-      addTile(tile, level);
-      if (m_counts.nearShells == 0) m_counts.nearShells = static_cast<int>(m_levels[level].count);
-      m_counts.skippedLayers += static_cast<int>(m_levels[level].placing.ends.size() - m_levels[level].count);
-    }
+    listFilled(tiles);
   }
   m_groundInstances = static_cast<int>(m_list.size());
   m_counts.layers = m_groundInstances;

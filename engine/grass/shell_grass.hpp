@@ -3,9 +3,9 @@
 // "Real-time animated grass", 2002), and what lies between them.
 //
 // The texture is made beside the frame. Tiles of the ground in sight (shell_tiles.hpp) are each drawn with as many
-// shells as their distance needs, near tiles first and the uppermost shell first, in one call; every surface in one
-// more. A fragment looks down to the next shell, so that a few shells show what many would. ShellMethod::Plain draws as
-// the paper did.
+// shells as their distance needs, groups of near tiles first and their uppermost shells first, in one call; every
+// surface in one more. A fragment looks down to the next shell, so that a few shells show what many would.
+// ShellMethod::Plain draws as the paper did.
 
 #include <array>
 #include <memory>
@@ -29,7 +29,8 @@ namespace windloom {
 /// How the shell grass of a frame is drawn; see FrameQuality.
 struct ShellFrame {
   float detail = 1.0f;   ///< 0..1
-  bool thinning = true;  ///< false: it doesn't turn into the ground's shading, however small, and shows just what plain shells would
+  bool thinning = true;  ///< false: it doesn't turn into the ground's shading, however small, and shows just what plain
+                         ///< shells would
   int samples = 1;       ///< a pixel
   bool quick = false;    ///< on a software renderer
 };
@@ -73,7 +74,9 @@ class ShellGrass {
   Status makeBending(const ShellSettings& shell);
   void spreadLevels(const shared::FrameBlock& view, const ShellFrame& frame);
   void listTiles(const std::vector<ShellTile>& tiles);
-  void addTile(const ShellTile& tile, std::size_t level);
+  void listFilled(const std::vector<ShellTile>& tiles);
+  void addShell(const ShellTile& tile, std::size_t level, std::size_t shell);
+  [[nodiscard]] std::size_t levelOf(const ShellTile& tile) const;
   Result<gpu::Program*> program(const ShellSettings& shell, const char* name) const;
   Status uploadInstances();
 

@@ -24,6 +24,7 @@ uniform vec4 surface;  // as in shell.vert
 in ShellVertex { SHELL_VERTEX_MEMBERS } v;
 flat in vec3 heights;
 
+#define FRAGMENT
 #include "shaders/include/shell_light.glsl"
 
 const float kSharpness = 5.0;
@@ -37,8 +38,6 @@ const float kLongestWalk = 10.0;
 #endif
 // How much less deep blades are seen for each level of the texture.
 const float kHiddenALevel = 0.05;
-// Height in which blades of surfaces are seen from afar, over the tallest.
-const float kMeanSeen = 0.6;
 
 // The slab between two shells where the ray meets it.
 struct Slab {
@@ -182,24 +181,22 @@ Hit walked(Walk walk, float level, float grown) {
 #endif
 
 // Its light, with what is left of it where blades can't be told apart.
-vec3 litHit(Hit hit, Slab slab, vec2 clump, float level, float afar, vec3 eye) {
+vec3 litHit(Hit hit, Slab slab, float level, float afar) {
   vec4 texel = textureLod(shellColour, hit.place, level);
   float along = clamp(hit.height / max(heightOf(hit.form.g), 1e-3), 0.0, 1.0);
   // Coarser levels keep what blades cover, but a few broad ones hide less of what is behind them than many narrow ones.
-  float hidden = 1.0 - kHiddenALevel * clamp(level - kBlur, 0.0, 4.0);
-  hit.height = 1.0 - (1.0 - hit.height) * hidden;
-  along = 1.0 - (1.0 - along) * hidden;
+  along = 1.0 - (1.0 - along) * (1.0 - kHiddenALevel * clamp(level - kBlur, 0.0, 4.0));
 #ifdef SURFACE
-  hit.height = mix(hit.height, kMeanSeen, 0.8 * afar);
   along = mix(along, 1.0, 0.8 * afar);
 #endif
-  vec3 light = litBlade(ShellSeen(texel.rgb, texel.a, hit.form.a, hit.height, along), slab.bend, clump, slab.root.xz, eye);
+  vec3 light = litBlade(ShellSeen(texel.rgb, texel.a, hit.form.a, hit.height, along));
 #ifndef SURFACE
   if (afar > 0.0) {
     vec4 fine = noiseAt(slab.root.xz, 1.9), mid = noiseAt(slab.root.zx, 8.3);
     float grain = 1.0 + 0.35 * (mid.a + fine.b - 1.0) + 0.5 * (hit.form.a - 0.5);
-    light = mix(light, litAfar(slab.root.xz, eye) * grain, afar);
+    light = mix(light, v.afarLight * grain, afar);
   }
+  light *= mapColour(slab.root.xz);
 #endif
   return light;
 }
@@ -240,6 +237,5 @@ void main() {
   uint bits = (1u << uint(count)) - 1u;
   gl_SampleMask[0] = count >= int(samples) ? -1 : int((bits << turn | bits >> (uint(samples) - turn)) & ((1u << uint(samples)) - 1u));
 #endif
-  vec3 light = litHit(hit, slab, walk.lean / (v.size.x * shell.size.y), level, afar, eye);
-  writeScene(throughAir(light, v.place));
+  writeScene(hazed(litHit(hit, slab, level, afar)));
 }

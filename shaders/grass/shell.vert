@@ -39,28 +39,23 @@ out ShellVertex { SHELL_VERTEX_MEMBERS } v;
 #endif
 flat out vec3 heights;  // of the shell below, this one, the one above, 0..1
 
-#ifdef QUICK
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/tone_map.glsl"
 #include "shaders/include/shell_light.glsl"
 
-// For a software renderer: the ray's way and the light are found at the corners, too.
-void quicken(vec3 below) {
-  vec3 eye = directionToCamera(v.place);
+#ifdef QUICK
+// For a software renderer: the ray's way and the colours of the picture are found at the corners, too.
+void quicken(vec3 eye, vec2 clump, float perMetre) {
   float facing = min(-dot(eye, v.normal), -0.02);
-  vec3 along = -eye * (dot(below, v.normal) / -facing) + below;
-  float perMetre = pixelsPerMetre(v.place);
+  vec3 along = -eye * (dot(v.below, v.normal) / -facing) + v.below;
   float level = clamp(log2(shell.size.z / perMetre) + kBlur, 0.0, shell.size.w);
   vec2 from = wandered(v.own.xz);
-  vec2 clump = clumpLean(from * shell.size.y, perMetre);
   walkAlong = vec4(from, wandered(v.own.xz + along.xz) - from) * shell.size.y;
   walkLean = vec4(clump * (v.size.x * shell.size.y), level, v.shade.y < 0.0 ? 0.0 : v.light.x);
-  ShellSeen seen = ShellSeen(shell.mean.rgb, 1.0, 0.5, 0.15, 0.15);
-  footFade = vec4(toPicture(throughAir(litBlade(seen, v.bend, clump, v.root.xz, eye), v.place)), standing(v.size.x * perMetre));
-  seen.height = 0.8;
-  seen.along = 1.0;
-  tipAfar = vec4(toPicture(throughAir(litBlade(seen, v.bend, clump, v.root.xz, eye), v.place)), farness(perMetre));
-  afarColour = toPicture(throughAir(litAfar(v.root.xz, eye), v.place));
+  vec3 tint = mapColour(v.root.xz);
+  footFade = vec4(toPicture(hazed(litBlade(ShellSeen(shell.mean.rgb, 1.0, 0.5, kFootAlong, kFootAlong)) * tint)), standing(v.size.x * perMetre));
+  tipAfar = vec4(toPicture(hazed(litBlade(ShellSeen(shell.mean.rgb, 1.0, 0.5, 0.8, 1.0)) * tint)), farness(perMetre));
+  afarColour = toPicture(hazed(v.afarLight * tint));
 }
 #endif
 
@@ -145,8 +140,16 @@ void main() {
   v.shade.zw = smoothWind(v.root.xz);
   v.light = vec4(grown, broad.x, broad.y * slopeLight(v.normal, sunlit) * shaded, shadeForce(length(v.shade.zw)));
   heights = vec3(float(lower), float(end), float(upper)) / shell.table.x;
+  vec3 eye = directionToCamera(v.place);
+  float perMetre = pixelsPerMetre(v.place);
+#ifdef SURFACE
+  vec2 clump = clumpLean(v.own.xz * shell.size.y, perMetre * surface.x);
+#else
+  vec2 clump = clumpLean(wandered(v.own.xz) * shell.size.y, perMetre);
+#endif
+  shine(eye, clump);
 #ifdef QUICK
-  quicken(v.below);
+  quicken(eye, clump, perMetre);
 #endif
   gl_Position = frame.viewProjection * vec4(v.place, 1.0);
   // Blades that lie flat bring shells together: the upper one is seen.

@@ -5,6 +5,8 @@
 const float kThinned = 0.76;
 // Levels of the texture that are left out, so that no blade is narrower than a pixel or two.
 const float kBlur = 0.7;
+// Where along a blade the light of its foot is found.
+const float kFootAlong = 0.15;
 // Size of the noise that blades in still air lean by, and its finest detail: the texture must not be torn.
 const float kClumpLeanM = 9.0, kClumpDetailM = 0.7;
 
@@ -48,15 +50,16 @@ struct ShellSeen {
   float along;      // 0..1 of the blade
 };
 
-// `bend` as ShellVertex, `clump` of clumpLean, `root` m.
-vec3 litBlade(ShellSeen seen, vec3 bend, vec2 clump, vec2 root, vec3 eye) {
+vec3 albedoOf(ShellSeen seen) {
   vec3 foot = seen.upper * shell.root.rgb * seen.rootLight;
   vec3 green = mix(foot, seen.upper, smoothstep(-0.2, 1.0, seen.along));
   vec3 straw = mix(foot * 1.6, grass.dryColour.rgb, smoothstep(-0.1, 0.8, seen.along));
-  vec3 albedo = mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * v.light.z;
-#ifndef SURFACE
-  albedo *= mapColour(root);
-#endif
+  return mix(green, straw, clamp(0.15 * v.light.y, 0.0, 1.0)) * (v.light.z * (0.85 + 0.3 * seen.number));
+}
+
+#ifndef FRAGMENT
+// Light over the albedo. `bend` as ShellVertex, `clump` of clumpLean.
+vec3 litOver(ShellSeen seen, vec3 bend, vec2 clump, vec3 eye) {
   float intensity = length(bend);
   float lean = pow(seen.height, shell.rings.w) * SHELL_HALF_PI * intensity;
   vec3 up = normalize(v.up);
@@ -72,16 +75,31 @@ vec3 litBlade(ShellSeen seen, vec3 bend, vec2 clump, vec2 root, vec3 eye) {
   at.dense = grass.levels.z;
   at.sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
   at.shade = heightWindShade(seen.along * mix(1.0, stem.y, 0.5), v.light.w) * mix(openHere(), 1.0, 0.5 * at.height);
-  albedo = laidAlbedo(albedo * (0.85 + 0.3 * seen.number), dot(stem, up));
-  return lightCanopy(albedo, stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
+  vec3 own = max(albedoOf(seen), 1e-4);
+  vec3 light = lightCanopy(laidAlbedo(own, dot(stem, up)), stem, eye, up, at) + contourLift(v.normal, eye, at.sunlit * at.height);
+  return light / own;
 }
 
 // The canopy where its blades can't be told apart: as the ground far away has it, so that no seam shows.
 vec3 litAfar(vec2 root, vec3 eye) {
   float sunlit = smoothstep(-0.15, 0.15, v.size.y - v.shade.x);
   vec3 light = meadowColour(root, v.shade.zw, eye, normalize(v.normal), sunlit) * mix(openHere(), 1.0, 0.5);
-#ifndef SURFACE
-  light *= mapColour(root);
-#endif
   return light * (v.light.z / max(meadowPatch(root).y, 0.1));
 }
+
+// Light changes slowly over the ground: it is found at the corners, at the foot and at the top of blades.
+void shine(vec3 eye, vec2 clump) {
+  ShellSeen seen = ShellSeen(shell.mean.rgb, 1.0, 0.5, kFootAlong, kFootAlong);
+  v.footLight = litOver(seen, v.bend, clump, eye);
+  seen.height = 0.8;
+  seen.along = 1.0;
+  v.topLight = litOver(seen, v.bend, clump, eye);
+  v.afarLight = litAfar(v.root.xz, eye);
+  vec3 ray = v.place - frame.cameraPosition.xyz;
+  v.haze = vec4(hazeColour(normalize(ray)), hazeAmount(length(ray)));
+}
+#endif
+
+// Of a blade seen.
+vec3 litBlade(ShellSeen seen) { return albedoOf(seen) * mix(v.footLight, v.topLight, clamp((seen.along - kFootAlong) / (1.0 - kFootAlong), 0.0, 1.0)); }
+vec3 hazed(vec3 light) { return mix(light, v.haze.rgb, v.haze.a); }
