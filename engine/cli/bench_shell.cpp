@@ -211,7 +211,7 @@ Result<std::vector<BenchRow>> benchShell(const BenchSetup& asked) {
   const glm::ivec2 compared = bench.comparedSize();
   if (Status added = bench.addTable(*prairie, *worst, compared, kOwnSamples); !added) return added.error();
   for (const glm::ivec2 size : sizes) {
-    if (size.x > kPaperSizes) break;
+    if (size.x > kPaperSizes || setup.size == BenchSize::Quick) break;
     if (Status added = bench.addCompared(*prairie, *worst, size); !added) return added.error();
   }
   for (const Camera& camera : cameras) {

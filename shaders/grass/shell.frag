@@ -204,7 +204,6 @@ vec3 litHit(Hit hit, Slab slab, float level, float afar) {
 void main() {
   vec3 eye = directionToCamera(v.place);
   float perMetre = pixelsPerMetre(v.place);
-  float tall = v.size.x * perMetre;
 #ifdef SURFACE
   perMetre *= surface.x;  // of the texture
 #endif
@@ -225,7 +224,9 @@ void main() {
 #ifndef SLICES
   hit.cover = mix(hit.cover, min(v.light.x / all, 1.0), afar);
 #endif
-  hit.cover *= standing(tall);
+#ifndef SURFACE
+  hit.cover *= standing(v.size.x * perMetre);
+#endif
 #ifdef ONE_SAMPLE
   if (hit.cover < 0.5) discard;
 #else
