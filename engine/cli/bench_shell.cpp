@@ -14,7 +14,7 @@ namespace {
 constexpr glm::ivec2 kSizes[] = {{640, 480}, {1024, 768}, {1920, 1080}, {3840, 2160}};
 // The paper's own; a frame of 65 plain shells takes a software renderer minutes at the others.
 constexpr std::ptrdiff_t kSizesInSoftware = 2;
-constexpr int kPaperSizes = 1024;  // wide at most
+constexpr int kPaperWidth = 1024;  // wide at most
 // Part of the time that a row may take: a software renderer would take as long for each of these many rows.
 constexpr double kCapInSoftware = 0.25;
 constexpr glm::ivec2 kComparedSize{1920, 1080}, kComparedSizeInSoftware{320, 180}, kQuickSize{128, 96};
@@ -205,13 +205,13 @@ Result<std::vector<BenchRow>> benchShell(const BenchSetup& asked) {
       std::find_if(cameras.begin(), cameras.end(), [](const Camera& camera) { return camera.name == kWorst; });
   if (worst == cameras.end()) return makeError(ErrorKind::BadInput, "the sample prairie has no camera 'worst'");
   const std::vector<glm::ivec2> sizes = tableSizes(setup);
+  const glm::ivec2 compared = bench.comparedSize();
   for (const glm::ivec2 size : sizes) {
     if (Status added = bench.addTable(*prairie, *worst, size, kPaperSamples); !added) return added.error();
   }
-  const glm::ivec2 compared = bench.comparedSize();
   if (Status added = bench.addTable(*prairie, *worst, compared, kOwnSamples); !added) return added.error();
   for (const glm::ivec2 size : sizes) {
-    if (size.x > kPaperSizes || setup.size == BenchSize::Quick) break;
+    if (size.x > kPaperWidth || setup.picture || setup.size == BenchSize::Quick) break;
     if (Status added = bench.addCompared(*prairie, *worst, size); !added) return added.error();
   }
   for (const Camera& camera : cameras) {

@@ -29,7 +29,9 @@ constexpr float kErrorPixels = 0.75f;
 constexpr std::size_t kTilesTogether = 48;
 // Blades lower than this on the screen have become the ground's shading (kFadePixels of grass_layout.cpp).
 constexpr float kFadePixels = 2.2f;
-// The way from a blade's tip in a weak wind to the intensity, see shellIntensity.
+// Blades per m^2 of the texture for the sake of surfaces, at most.
+constexpr float kDensest = 2000.0f;
+constexpr float kEverywhere = 1e9f;  // m
 constexpr float kLuma[3] = {0.2126f, 0.7152f, 0.0722f};
 
 std::vector<std::uint16_t> latticeIndices(int quads) {
@@ -53,7 +55,7 @@ float textureDensity(const Project& project) {
   float density = project.grass->density;
   for (const Surface& surface : *project.surfaces) {
     const float size = sizeOn(surface, *project.grass);
-    if (!surface.hidden) density = std::max(density, surface.density * size * size);
+    if (!surface.hidden) density = std::max(density, std::min(surface.density * size * size, kDensest));
   }
   return density;
 }
@@ -202,7 +204,9 @@ void ShellGrass::spreadLevels(const shared::FrameBlock& view, const ShellFrame& 
   for (std::size_t i = 0; i < m_levels.size(); ++i) {
     const bool first = i == 0 || (frame.quick && static_cast<int>(m_levels[i - 1].placing.ends.size()) > kQuickShells);
     const float pixels = m_texture.tallestM * m_levels[i].placing.error * view.pixelScale.x;
-    m_levels[i].from = first ? 0.0f : pixels * std::clamp(frame.detail, 0.05f, 1.0f) / kErrorPixels;
+    const float from = pixels * std::clamp(frame.detail, 0.05f, 1.0f) / kErrorPixels;
+    const bool parallel = view.cameraPosition.w > 0.5f;
+    m_levels[i].from = first ? 0.0f : !parallel ? from : from > 1.0f ? kEverywhere : 0.0f;
   }
 }
 
@@ -292,6 +296,8 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   m_counts = {};
   m_frame = frame;
   m_shell = project.shell;
+  m_grass = project.grass;
+  m_ready = false;
   if (m_form.name() == 0) return Done{};
   const ShellSettings& shell = *project.shell;
   const GrassSettings& grass = *project.grass;
@@ -311,7 +317,9 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   const ShellGround ground{field.centre - 0.5f * field.size - kMeadowMarginM,
                            field.centre + 0.5f * field.size + kMeadowMarginM, project.terrain->heights.get(),
                            1.5f * m_texture.tallestM * (grass.heightPixels ? 2.0f : 1.0f)};
-  const float farthest = fade > 0 ? 1.5f * m_texture.tallestM * view.pixelScale.x / fade : 1e9f;
+  const float pixels = ground.tallest * view.pixelScale.x;  // where projection is parallel, else times m
+  const bool parallel = view.cameraPosition.w > 0.5f;
+  const float farthest = fade <= 0 ? kEverywhere : !parallel ? pixels / fade : pixels < fade ? 0.0f : kEverywhere;
   std::vector<ShellTile> tiles = selectShellTiles(ground, view, farthest);
   std::erase_if(tiles, [&](const ShellTile& tile) { return !m_mask.grows(tile.low, tile.low + tile.side); });
   if (shownDensity(grass) <= 0) tiles.clear();
@@ -319,10 +327,12 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
   if (Status sent = uploadInstances(); !sent) return sent;
 
   const glm::vec3 luma(kLuma[0], kLuma[1], kLuma[2]);
-  const float scale = view.cameraPosition.w > 0.5f ? shellParallelDistance(view) : 0.0f;
+  const float scale = parallel ? shellParallelDistance(view) : 0.0f;
   const bool own = shell.pixels != nullptr;
   const float bright = std::max(glm::dot(grass.tipColour, luma), 1e-3f);
   const float rootBright = std::max(glm::dot(grass.baseColour, luma), 1e-3f);
+  // No fewer than ranks tell apart.
+  const float groundPart = std::max(grass.density / std::max(textureDensity(m_made), 1e-4f), 2.0f / 255.0f);
   ShellBlock block{};
   block.size = {m_texture.tallestM, 1.0f / m_texture.tileM, static_cast<float>(m_form.size().x) / m_texture.tileM,
                 static_cast<float>(m_form.levels() - 1)};
@@ -338,10 +348,12 @@ Status ShellGrass::prepare(const Project& project, const ShellFrame& frame, cons
                 scale};
   // The hue of the root; how dark it is stands in the texture.
   block.root = {own ? glm::vec3(1.0f) : grass.baseColour / rootBright * bright / glm::max(grass.tipColour, 1e-3f),
-                own ? 1.0f : grass.density / std::max(textureDensity(project), 1e-4f)};
+                own ? 1.0f : groundPart};
+  m_groundPart = block.root.w;
   block.mean = glm::vec4(m_texture.meanColour, 0.0f);
   m_settings.write(&block, sizeof block);
   m_settings.bindUniform(RENDER_UBO_SHELL);
+  m_ready = true;
   return Done{};
 }
 
@@ -378,10 +390,10 @@ void ShellGrass::drawGround(const gpu::PassState& state) {
 }
 
 int ShellGrass::useSurface(const Surface& surface, const glm::mat4& world, float away, const gpu::PassState& state) {
-  if (m_form.name() == 0 || m_levels.empty() || surface.density <= 0) return 0;
+  if (!m_ready || surface.density <= 0) return 0;
   const Result<gpu::Program*> shells = program(*m_shell, "grass/shell surface");
   if (!shells) return 0;
-  const GrassSettings& grass = *m_made.grass;
+  const GrassSettings& grass = *m_grass;
   const float size = sizeOn(surface, grass);
   std::size_t level = 0;
   int first = m_groundInstances;
@@ -389,17 +401,16 @@ int ShellGrass::useSurface(const Surface& surface, const glm::mat4& world, float
     first += static_cast<int>(2 * m_levels[level].count);
     ++level;
   }
-  const double tile = static_cast<double>(m_texture.tileM) * static_cast<double>(size);
-  const double there = static_cast<double>(m_texture.blades) / (tile * tile);
-  const double wanted = static_cast<double>(surface.density) * static_cast<double>(m_shell->fullness);
+  const bool own = m_shell->pixels != nullptr;
+  const float part =
+      own ? 1.0f : std::min(surface.density * size * size / std::max(textureDensity(m_made), 1e-6f), 1.0f);
   const float scale = glm::length(glm::vec3(world[0]));
   gpu::apply(state);
   (*shells)->use();
   (*shells)->set("firstInstance", first);
   (*shells)->set("world", world);
   (*shells)->set("toOwn", glm::transpose(glm::mat3(world)) / scale);
-  (*shells)->set("surface", glm::vec4(size, grass.stiffness / std::max(surface.stiffness, 1e-3f),
-                                      static_cast<float>(std::min(wanted / std::max(there, 1e-9), 1.0)), scale));
+  (*shells)->set("surface", glm::vec4(size, grass.stiffness / std::max(surface.stiffness, 1e-3f), part, scale));
   m_form.bind(RENDER_TEXTURE_SHELL_FORM);
   m_colour.bind(RENDER_TEXTURE_SHELL_COLOUR);
   m_offsets.bind(RENDER_TEXTURE_SHELL_OFFSETS);
@@ -411,7 +422,7 @@ int ShellGrass::useSurface(const Surface& surface, const glm::mat4& world, float
 
 long long ShellGrass::blades() const {
   const double tile = static_cast<double>(m_texture.tileM) * static_cast<double>(m_texture.tileM);
-  return std::llround(static_cast<double>(m_texture.blades) / tile * m_area);
+  return std::llround(static_cast<double>(m_texture.blades) * static_cast<double>(m_groundPart) / tile * m_area);
 }
 
 }  // namespace windloom

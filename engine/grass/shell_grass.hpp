@@ -9,7 +9,6 @@
 
 #include <array>
 #include <memory>
-#include <span>
 #include <vector>
 
 #include "engine/core/result.hpp"
@@ -98,6 +97,9 @@ class ShellGrass {
   std::shared_ptr<const GrassMap> m_maskMap;
   Shared<FieldSettings> m_maskField;
   Shared<ShellSettings> m_shell;
+  Shared<GrassSettings> m_grass;
+  bool m_ready = false;       // prepared for this frame
+  float m_groundPart = 1.0f;  // of the texture's blades that the ground has
   ShellFrame m_frame;
   int m_groundInstances = 0;
   ShellCounts m_counts;

@@ -192,9 +192,10 @@ class FrameRendererImpl final : public FrameRenderer {
   static bool isBezier(const Project& project) { return project.grass->kind == GrassKind::Bezier; }
   static bool isShell(const Project& project) { return project.grass->kind == GrassKind::Shell; }
   /// What else than the instanced grass stands on the ground.
-  static InstancedGrass::Blades bladesOf(const Project& project) {
+  static InstancedGrass::Blades bladesOf(const Project& project, bool thinning) {
     using Blades = InstancedGrass::Blades;
-    if (isShell(project)) return project.shell->method == ShellMethod::Filled ? Blades::Shells : Blades::None;
+    const bool fades = thinning && project.shell->method == ShellMethod::Filled;
+    if (isShell(project)) return fades ? Blades::Shells : Blades::None;
     return isBezier(project) ? Blades::None : Blades::Drawn;
   }
 
@@ -238,7 +239,8 @@ class FrameRendererImpl final : public FrameRenderer {
     const auto chains = remembers ? InstancedGrass::Chains::Some : InstancedGrass::Chains::None;
     const GrassQuality quality{input.quality.detail, input.quality.thinning, input.quality.culling, quick(input)};
     accept(m_parts.grass.bindSettings(*project.grass, *project.species, quality, m_block,
-                                      occluding() ? m_parts.occluders.levels() : 0, chains, bladesOf(project)));
+                                      occluding() ? m_parts.occluders.levels() : 0, chains,
+                                      bladesOf(project, input.quality.thinning)));
     if (isBezier(project)) accept(m_parts.bezier.bindSettings(project, bezierFrame(input)));
     m_parts.maps.bind();
     m_parts.noise.bind(RENDER_TEXTURE_NOISE);

@@ -100,7 +100,7 @@ Walk walkOf(Slab at, vec3 ray, float perMetre) {
   vec3 slab = walk.down ? at.below : at.above;
   walk.pixels = length(cross(slab, ray)) * pixelsPerMetre(v.place);
   // Blades that cross the slab at the root they begin with: the ray's way over the ground less the blades'.
-  vec3 along = ray * (dot(slab, n) / max(abs(facing), 1e-3)) + (walk.down ? slab : -slab);
+  vec3 along = ray * (max(dot(slab, n), 0.0) / max(abs(facing), 1e-3)) + (walk.down ? slab : -slab);
 #ifdef SURFACE
   vec3 side = toOwn * n;
   walk.from = onTexture(at.own, side) * shell.size.y;
@@ -211,7 +211,10 @@ void main() {
   Slab slab = slabHere();
   Walk walk = walkOf(slab, -eye, perMetre);
   // Nothing grows in solids.
-  if (walk.high <= walk.low || v.shade.y < 0.0) discard;
+#ifndef SLICES
+  if (walk.high <= walk.low) discard;
+#endif
+  if (v.shade.y < 0.0) discard;
   Hit hit = walked(walk, level, v.light.x);
   float afar = farness(perMetre);
 #ifdef SURFACE

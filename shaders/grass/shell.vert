@@ -38,6 +38,9 @@ out vec3 afarColour; // of the picture, where they can't
 out ShellVertex { SHELL_VERTEX_MEMBERS } v;
 #endif
 flat out vec3 heights;  // of the shell below, this one, the one above, 0..1
+#ifdef QUICK
+flat out vec2 codes;    // as the texture has them
+#endif
 
 #include "shaders/include/atmosphere.glsl"
 #include "shaders/include/tone_map.glsl"
@@ -47,7 +50,7 @@ flat out vec3 heights;  // of the shell below, this one, the one above, 0..1
 // For a software renderer: the ray's way and the colours of the picture are found at the corners, too.
 void quicken(vec3 eye, vec2 clump, float perMetre) {
   float facing = min(-dot(eye, v.normal), -0.02);
-  vec3 along = -eye * (dot(v.below, v.normal) / -facing) + v.below;
+  vec3 along = -eye * (max(dot(v.below, v.normal), 0.0) / -facing) + v.below;
   float level = clamp(log2(shell.size.z / perMetre) + kBlur, 0.0, shell.size.w);
   vec2 from = wandered(v.own.xz);
   walkAlong = vec4(from, wandered(v.own.xz + along.xz) - from) * shell.size.y;
@@ -72,7 +75,7 @@ vec4 pressed(vec3 root, vec3 up, float height) {
     if (above > height || away > radius + height) continue;
     float under = -dot(from, up) - sqrt(max(radius * radius - away * away, 0.0));
     push.w = min(push.w, away < radius ? max(under, 0.08 * height) : height);
-    push.xyz += aside / max(away, 1e-3) * (1.0 - smoothstep(0.6 * radius, radius + 0.6 * height, away)) * smoothstep(height, 0.0, above);
+    push.xyz += aside / max(away, 1e-3) * (1.0 - smoothstep(0.6 * radius, radius + 0.6 * height, away)) * (1.0 - smoothstep(0.0, max(height, 1e-4), above));
   }
   return push;
 }
@@ -149,6 +152,7 @@ void main() {
 #endif
   shine(eye, clump);
 #ifdef QUICK
+  codes = vec2(shellAlphaOf(heights.x, shell.table.z), shellAlphaOf(heights.y, shell.table.z));
   quicken(eye, clump, perMetre);
 #endif
   gl_Position = frame.viewProjection * vec4(v.place, 1.0);

@@ -23,11 +23,11 @@ vec2 clumpLean(vec2 place, float perMetre) {
 
 // How far blades are narrower than a pixel, so that more and more the canopy as a whole is seen. `perMetre` of the texture.
 #ifdef QUICK
-const vec2 kFar = vec2(0.7, 0.2);  // its coarse texels would show
+const vec2 kFar = vec2(0.2, 0.7);  // its coarse texels would show
 #else
-const vec2 kFar = vec2(0.35, 0.08);
+const vec2 kFar = vec2(0.08, 0.35);
 #endif
-float farness(float perMetre) { return smoothstep(kFar.x, kFar.y, grass.size.x * perMetre); }
+float farness(float perMetre) { return 1.0 - smoothstep(kFar.x, kFar.y, grass.size.x * perMetre); }
 
 // 0 where grass is too low to be seen and left to the ground .. 1.
 float standing(float pixels) { return shell.look.y > 0.0 ? smoothstep(shell.look.y, 1.6 * shell.look.y, pixels) : 1.0; }

@@ -214,9 +214,24 @@ TEST_F(ShellPicture, TexturesStayWithinTheirMemory) {
 TEST_F(ShellPicture, DoesNotWaitForItsTextureWhereTheFrameMustGoOn) {
   m_input.quality.complete = false;
   FrameStats stats = rendered();
+  EXPECT_FALSE(stats.complete);
+  EXPECT_EQ(stats.shell.layers, 0);
   for (int frame = 0; !stats.complete && frame < 5000; ++frame) stats = rendered();
   EXPECT_TRUE(stats.complete);
   EXPECT_GT(rendered().shell.layers, 0);
+}
+
+TEST_F(ShellPicture, IsThereFromStraightAbove) {
+  m_input.camera.position = {0.0f, 60.0f, 0.1f};
+  m_input.camera.target = {0.0f, 0.0f, 0.0f};
+  const glm::vec3 perspective = middle(picture());
+  m_input.camera.orthographic = true;
+  for (const float height : {4.0f, 12.0f, 40.0f}) {
+    m_input.camera.orthographicHeight = height;
+    const glm::vec3 seen = middle(picture());
+    EXPECT_GT(seen.g, 1.3f * seen.b) << height;
+    EXPECT_NEAR(seen.g / perspective.g, 1.0f, 0.3f) << height << " m";
+  }
 }
 
 TEST_F(ShellPicture, MoreSamplesAreOfTheSameBrightness) {

@@ -61,7 +61,8 @@ TEST(ShellTiles, AreFineNearTheEyeAndNeighboursDifferByOneStep) {
     }
     // A tile ends before the coarser one behind it begins to change.
     EXPECT_LE(tile.farthest, 2.0f * SHELL_MORPH_BEGIN * SHELL_TILE_REACH * tile.side);
-    for (const glm::vec2 way : {glm::vec2(-0.01f, 0.5f), glm::vec2(1.01f, 0.5f), glm::vec2(0.5f, -0.01f), glm::vec2(0.5f, 1.01f)}) {
+    for (const glm::vec2 way :
+         {glm::vec2(-0.01f, 0.5f), glm::vec2(1.01f, 0.5f), glm::vec2(0.5f, -0.01f), glm::vec2(0.5f, 1.01f)}) {
       const ShellTile* next = tileAt(tiles, tile.low + way * tile.side);
       if (next == nullptr) continue;
       EXPECT_GE(next->side, 0.5f * tile.side);
@@ -73,8 +74,12 @@ TEST(ShellTiles, AreFineNearTheEyeAndNeighboursDifferByOneStep) {
 TEST(ShellTiles, LeaveOutWhatIsBehindTheEyeOrTooFar) {
   shared::FrameBlock frame = everywhere({0, 2, 0});
   frame.frustum[0] = {1, 0, 0, 0};  // only x > 0
-  for (const ShellTile& tile : selectShellTiles(kGround, frame, 1e9f)) EXPECT_GT(tile.low.x + tile.side, -0.6f);
-  for (const ShellTile& tile : selectShellTiles(kGround, everywhere({0, 2, 0}), 20.0f)) EXPECT_LE(tile.nearest, 20.0f);
+  const std::vector<ShellTile> ahead = selectShellTiles(kGround, frame, 1e9f);
+  const std::vector<ShellTile> near = selectShellTiles(kGround, everywhere({0, 2, 0}), 20.0f);
+  ASSERT_FALSE(ahead.empty());
+  ASSERT_FALSE(near.empty());
+  for (const ShellTile& tile : ahead) EXPECT_GT(tile.low.x + tile.side, -0.6f);
+  for (const ShellTile& tile : near) EXPECT_LE(tile.nearest, 20.0f);
 }
 
 TEST(ShellTiles, AreAllAlikeWhereProjectionIsParallel) {
@@ -91,7 +96,8 @@ TEST(GrowthMask, FindsWhereNothingGrows) {
   map.size = {300, 200};
   map.pixels.assign(4u * 300 * 200, 0);
   for (int y = 0; y < 200; ++y) {
-    for (int x = 150; x < 300; ++x) map.pixels[4 * (static_cast<std::size_t>(y) * 300 + static_cast<std::size_t>(x))] = 7;
+    for (int x = 150; x < 300; ++x)
+      map.pixels[4 * (static_cast<std::size_t>(y) * 300 + static_cast<std::size_t>(x))] = 7;
   }
   const GrowthMask mask(&map, {-50, -50}, {100, 100});
   EXPECT_FALSE(mask.grows({-40, -40}, {-10, 40}));
