@@ -22,7 +22,8 @@ void main() {
   float level = walkLean.z;
   float texels = length(walkAlong.zw) * shell.size.z / shell.size.y * exp2(-level) / kStrideTexels;
   float steps = clamp(ceil(texels), 1.0, shell.look.x);
-  level = floor(max(level, level + log2(max(texels / steps, 1e-3))) + 0.5);
+  // Between looks larger texels would stand in, but those make bushes of blades: rather some are missed.
+  level = floor(max(level, level + 0.25 * log2(max(texels / steps, 1e-3))) + 0.5);
   float part = 1.0 / steps;
   vec2 stride = walkAlong.zw * part;
   vec2 place = walkAlong.xy + 0.5 * stride;
