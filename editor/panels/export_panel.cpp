@@ -142,7 +142,7 @@ void ExportPanel::drawSize(const PanelContext& context) {
   const BakeRequest wanted = request(project);
   const glm::ivec2 resolution = wanted.resolution.value_or(project.field->resolution);
   double bytes = 0;
-  for (const WriterKind* kind : wanted.formats) bytes += double(kind->bytesPerFrame(resolution)) * wanted.plan.frames;
+  for (const WriterKind* kind : wanted.formats) bytes += double(kind->bytes(headerOf(project, wanted)));
   const int recorded = wanted.plan.frames + wanted.plan.crossfade;
   const double steps = (m_from + recorded / m_fps) / double(project.field->timeStep);
   ImGui::Spacing();

@@ -1,253 +1,268 @@
 #include "engine/bake/bake.hpp"
 
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstdlib>
-#include <cstring>
-#include <utility>
 
-#include "engine/bake/frame_spool.hpp"
+#include "engine/bake/bake_parts.hpp"
+#include "engine/bake/frame_streams.hpp"
+#include "engine/bake/graph_gltf.hpp"
 #include "engine/bake/manifest.hpp"
+#include "engine/bake/sidecars.hpp"
+#include "engine/bake/work_folder.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
-#include "engine/core/text.hpp"
 #include "engine/io/npy.hpp"
+#include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
 namespace {
 
-/// A folder in which the files come into being; removed with all that is in it.
-class WorkFolder {
- public:
-  static Result<WorkFolder> create(const fs::path& parent) {
-    std::string name = (parent / ".bake.XXXXXX").string();
-    if (::mkdtemp(name.data()) == nullptr) {
-      return makeError(ErrorKind::Machine, parent.string(), {},
-                       std::string("can't write here: ") + std::strerror(errno));
-    }
-    return WorkFolder(name);
-  }
-  ~WorkFolder() {
-    std::error_code ignored;
-    if (!m_path.empty()) fs::remove_all(m_path, ignored);
-  }
-  WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
-  WorkFolder& operator=(WorkFolder&&) = delete;
-  [[nodiscard]] const fs::path& path() const { return m_path; }
+using Json = nlohmann::ordered_json;
 
- private:
-  explicit WorkFolder(fs::path path) : m_path(std::move(path)) {}
-  fs::path m_path;
-};
-
-float fastestOf(std::span<const glm::vec2> cells) {
-  float square = 0;
-  for (const glm::vec2 v : cells) square = std::max(square, glm::dot(v, v));
-  return std::sqrt(square);
+/// Refuses what can't be written, before anything runs.
+Status requireWritable(const BakeRequest& request, const BakeHeader& header) {
+  std::string whole;
+  bool scale = false;
+  for (const WriterKind* kind : request.formats) {
+    if (!kind->missing.empty())
+      return makeError(ErrorKind::Machine, std::string(kind->name) + ": " + std::string(kind->missing));
+    if (!kind->numbered) whole += (whole.empty() ? "" : ", ") + std::string(kind->name);
+    scale = scale || kind->need == SpeedNeed::Range;
+  }
+  if (!request.part) return Done{};
+  if (header.first < 0 || header.last >= header.frames || header.first > header.last)
+    return makeError(ErrorKind::Usage, "the frames to write must lie within 0 to " + std::to_string(header.frames - 1));
+  if (!whole.empty()) {
+    return makeError(ErrorKind::Usage, "a range of frames can be written to formats of numbered files only, and " +
+                                           whole + " holds all frames in one file");
+  }
+  if (scale && !request.fullScale) {
+    return makeError(ErrorKind::Usage,
+                     "a range of frames doesn't know the fastest wind of the whole recording: give the full scale of "
+                     "integer formats (--vmax)");
+  }
+  return Done{};
 }
 
-/// A speed to encode as full scale: the fastest wind rounded up to a hundredth; 1 m/s for still air.
-float rangeFor(float fastest) {
-  if (!(fastest > 0.0f)) return 1.0f;
-  const float rounded = std::ceil(fastest * 100.0f) / 100.0f;
-  return std::max(rounded, fastest);
+Status requireSpace(const BakeRequest& request, const BakeHeader& header, const fs::path& folder) {
+  const std::uint64_t tracks = request.response ? 1 + plantClasses().size() : 1;
+  std::uint64_t needed = 0;
+  for (const WriterKind* kind : request.formats) {
+    if (kind->exactSize) needed += kind->bytes(header) * tracks;  // others shrink, nobody knows how far
+  }
+  std::error_code ec;
+  const fs::space_info space = fs::space(folder, ec);
+  if (ec || space.available == 0 || needed <= space.available) return Done{};
+  return makeError(ErrorKind::Machine, request.folder.string(), {},
+                   "the bake needs " + std::to_string(needed >> 20) + " MiB, the disk has " +
+                       std::to_string(space.available >> 20) + " MiB free");
+}
+
+/// Names a plan: the same where, and only where, parts belong together.
+std::string planKey(const Project& project, Backend backend, const BakeRequest& request, const BakeHeader& header) {
+  BakeHeader whole = header;
+  whole.first = 0;
+  whole.last = whole.frames - 1;
+  whole.fullScale = request.fullScale.value_or(0.0f);
+  std::string text = manifestText({whole, {}, request.response, false}, project, backend, {}) + writeProject(project);
+  for (const WriterKind* kind : request.formats) text += std::string(kind->name) + ",";
+  const HeightProfile& profile = request.profile;
+  for (const float value : {whole.fullScale, profile.top, static_cast<float>(profile.layers)})
+    text += std::to_string(value) + ",";
+  return sha256(text);
 }
 
 class Baker {
  public:
   Baker(Simulation& simulation, const BakeRequest& request, const std::function<bool(const BakeProgress&)>& keepGoing,
         fs::path work)
-      : m_simulation(simulation), m_request(request), m_keepGoing(keepGoing), m_work(std::move(work)) {
-    const FieldSettings& field = *simulation.project().field;
-    const glm::ivec2 resolution = request.resolution.value_or(simulation.solver().grid().resolution);
-    m_header.grid = makeGridMapping(field.centre, field.size, resolution);
-    m_header.frames = request.plan.frames;
-    m_header.fps = request.plan.fps;
-    m_header.start = request.plan.from;
-    m_header.loop = request.loop;
-    m_header.crossfade = request.plan.crossfade;
-    m_header.periodicX = field.xMin == Border::Periodic && field.xMax == Border::Periodic;
-    m_header.periodicZ = field.zMin == Border::Periodic && field.zMax == Border::Periodic;
-    m_header.preset = request.preset;
-    for (const WriterKind* kind : request.formats) {
-      const bool known = kind->need == SpeedNeed::None || (kind->need == SpeedNeed::Range && request.speedRange);
-      m_spooled = m_spooled || !known || request.plan.crossfade > 0;
-    }
-  }
-
-  [[nodiscard]] std::size_t cells() const {
-    return static_cast<std::size_t>(m_header.grid.resolution.x) * static_cast<std::size_t>(m_header.grid.resolution.y);
-  }
-
-  /// Refuses at once what can't end well.
-  Status requireSpace() const {
-    std::uint64_t needed = 0;
-    const auto frames = static_cast<std::uint64_t>(m_header.frames);
-    for (const WriterKind* kind : m_request.formats) {
-      if (kind->name != "png")
-        needed += kind->bytesPerFrame(m_header.grid.resolution) * frames;  // PNG shrinks, nobody knows how far
-    }
-    std::error_code ec;
-    const fs::space_info space = fs::space(m_work, ec);
-    if (ec || space.available == 0 || needed <= space.available) return Done{};
-    return makeError(ErrorKind::Machine, m_request.folder.string(), {},
-                     "the bake needs " + std::to_string(needed >> 20) + " MiB, the disk has " +
-                         std::to_string(space.available >> 20) + " MiB free");
+      : m_simulation(simulation),
+        m_request(request),
+        m_work(std::move(work)),
+        m_header(headerOf(simulation.project(), request)),
+        m_streams(simulation, request, m_header, keepGoing, m_work) {
+    m_header.grid = m_streams.header().grid;
   }
 
   Status run() {
-    if (Status enough = requireSpace(); !enough) return enough;
-    return m_spooled ? runSpooled() : runDirect();
-  }
-
-  /// Sums of all files, and the manifest that lists them.
-  Status writeManifest() {
-    std::vector<ManifestFile> listed;
-    for (BakedFile& file : m_files) {
-      const Result<std::string> digest = sha256OfFile(m_work / file.path);
-      if (!digest) return digest.error();
-      listed.push_back({std::move(file), *digest});
-    }
-    for (const ManifestFile& file : listed) m_report.files.push_back(file.file.path);
-    m_report.files.emplace_back("manifest.json");
-    const std::string text = manifestText(m_header, m_simulation.project(), m_simulation.solver().backend(), listed);
-    return writeFileAtomically(m_work / "manifest.json", text);
-  }
-
-  /// Moves everything to its place; the manifest, which makes it a bake, comes last.
-  Status publish() {
-    const std::vector<std::string> older = filesOfManifest(m_request.folder);
-    std::error_code ec;
-    for (const std::string& name : m_report.files) {
-      m_report.bytes += fs::file_size(m_work / name, ec);
-      fs::rename(m_work / name, m_request.folder / name, ec);
-      if (ec)
-        return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {}, "can't write: " + ec.message());
-    }
-    for (const std::string& name : older) {
-      if (std::find(m_report.files.begin(), m_report.files.end(), name) == m_report.files.end()) {
-        fs::remove(m_request.folder / name, ec);
-      }
-    }
-    return Done{};
+    if (Status enough = requireSpace(m_request, m_header, m_work); !enough) return enough;
+    Result<StreamResult> written = m_streams.run();
+    if (!written) return written.error();
+    m_report.cancelled = written->cancelled;
+    if (m_report.cancelled) return Done{};
+    m_header = m_streams.header();
+    m_seam = written->seam;
+    Result<std::vector<std::vector<Json>>> groups = entriesOf(written->files);
+    if (!groups) return groups.error();
+    if (m_request.part) return finishPart(std::move(*groups));
+    std::vector<BakedFile> files;
+    for (StreamFiles& group : written->files) std::ranges::move(group.files, std::back_inserter(files));
+    return finishWhole(std::move(*groups), std::move(files), m_work);
   }
 
   BakeReport report() {
     m_report.header = m_header;
+    m_report.seam = m_seam;
     m_report.steps = m_simulation.steps();
     return std::move(m_report);
   }
-  [[nodiscard]] bool cancelled() const { return m_report.cancelled; }
 
  private:
-  bool keepGoing(BakePhase phase, double done, double all) {
-    return !m_keepGoing || m_keepGoing({phase, all > 0 ? std::min(done / all, 1.0) : 1.0});
-  }
-
-  Status openWriters() {
-    m_header.speedRange = m_request.speedRange.value_or(rangeFor(m_header.fastest));
-    for (const WriterKind* kind : m_request.formats) {
-      Result<std::unique_ptr<FrameWriter>> writer = kind->open(m_header, m_work);
-      if (!writer) return writer.error();
-      m_writers.push_back(std::move(*writer));
-    }
-    return Done{};
-  }
-
-  Status addToAll(int frame, std::span<const glm::vec2> cells) {
-    for (const std::unique_ptr<FrameWriter>& writer : m_writers) {
-      if (Status added = writer->add(frame, cells); !added) return added;
-    }
-    return Done{};
-  }
-
-  Status finishWriters() {
-    for (const std::unique_ptr<FrameWriter>& writer : m_writers) {
-      Result<std::vector<BakedFile>> files = writer->finish();
-      if (!files) return files.error();
-      std::move(files->begin(), files->end(), std::back_inserter(m_files));
-    }
-    return Done{};
-  }
-
-  Status recordInto(const std::function<Status(int, std::span<const glm::vec2>)>& sink) {
-    const auto take = [&](int frame, std::span<const glm::vec2> field) -> Status {
-      m_header.fastest = std::max(m_header.fastest, fastestOf(field));
-      return sink(frame, field);
-    };
-    const auto stepped = [&](const RecordProgress& p) {
-      return keepGoing(BakePhase::Recording, static_cast<double>(p.step), static_cast<double>(p.steps));
-    };
-    const Result<RecordEnd> end = record(m_simulation, m_request.plan, m_request.resolution, take, stepped);
-    if (!end) return end.error();
-    m_report.cancelled = *end == RecordEnd::Cancelled;
-    return Done{};
-  }
-
-  Status runDirect() {
-    if (Status opened = openWriters(); !opened) return opened;
-    Status recorded = recordInto([&](int frame, std::span<const glm::vec2> field) { return addToAll(frame, field); });
-    return !recorded || m_report.cancelled ? recorded : finishWriters();
-  }
-
-  Status runSpooled() {
-    FrameSpool spool(cells(), m_work);
-    Status recorded = recordInto([&](int, std::span<const glm::vec2> field) { return spool.add(field); });
-    if (!recorded || m_report.cancelled) return recorded;
-    if (Status opened = openWriters(); !opened) return opened;
-    std::vector<glm::vec2> field, after;
-    for (int frame = 0; frame < m_header.frames; ++frame) {
-      if (!keepGoing(BakePhase::Writing, frame, m_header.frames)) {
-        m_report.cancelled = true;
-        return Done{};
+  Result<std::vector<std::vector<Json>>> entriesOf(const std::vector<StreamFiles>& groups) const {
+    std::vector<std::vector<Json>> entries;
+    for (const StreamFiles& group : groups) {
+      entries.emplace_back();
+      for (const BakedFile& file : group.files) {
+        Result<Json> entry = manifestEntry(file, group.header, m_work);
+        if (!entry) return entry.error();
+        entries.back().push_back(std::move(*entry));
       }
-      if (Status read = spool.read(frame, field); !read) return read;
-      if (frame < m_header.crossfade) {
-        if (Status read = spool.read(m_header.frames + frame, after); !read) return read;
-        blend(field, after, seamWeight(m_request.plan, frame));
-      }
-      if (Status added = addToAll(frame, field); !added) return added;
     }
-    keepGoing(BakePhase::Writing, 1, 1);
-    return finishWriters();
+    return entries;
   }
 
-  /// field = mix(after, field, weight).
-  static void blend(std::vector<glm::vec2>& field, const std::vector<glm::vec2>& after, float weight) {
-    for (std::size_t i = 0; i < field.size(); ++i) field[i] = glm::mix(after[i], field[i], weight);
+  /// What stands beside the frames, and the manifest; then moves everything from `frames` and the work folder out.
+  Status finishWhole(std::vector<std::vector<Json>> groups, std::vector<BakedFile> files, const fs::path& frames) {
+    std::vector<Json> entries;
+    for (std::vector<Json>& group : groups) std::ranges::move(group, std::back_inserter(entries));
+    std::vector<BakedFile> extras;
+    const Project& project = m_simulation.project();
+    if (m_request.graph) {
+      Result<BakedFile> graph = writeGraphGltf(project, m_header, files, m_work);
+      if (!graph) return graph.error();
+      extras.push_back(std::move(*graph));
+    }
+    if (m_request.sidecars) {
+      Result<std::vector<BakedFile>> sidecars = writeSidecars(project, m_header, files, m_work);
+      if (!sidecars) return sidecars.error();
+      std::ranges::move(*sidecars, std::back_inserter(extras));
+    }
+    for (const BakedFile& file : extras) {
+      Result<Json> entry = manifestEntry(file, m_header, m_work);
+      if (!entry) return entry.error();
+      entries.push_back(std::move(*entry));
+    }
+    const ManifestFacts facts{m_header, m_seam, m_request.response, project.solver->source == WindSource::Card};
+    const std::string text = manifestText(facts, project, m_simulation.solver().backend(), entries);
+    if (Status written = writeFileAtomically(m_work / "manifest.json", text); !written) return written;
+    for (const BakedFile& file : files) m_report.files.push_back(file.path);
+    const std::size_t frameFiles = m_report.files.size();
+    for (const BakedFile& file : extras) m_report.files.push_back(file.path);
+    m_report.files.emplace_back("manifest.json");
+    return publish(frames, frameFiles);
+  }
+
+  /// The manifest, which makes it a bake, comes last. The first `frameFiles` lie in `frames`, the others in the work
+  /// folder.
+  Status publish(const fs::path& frames, std::size_t frameFiles) {
+    const std::vector<std::string> older = filesOfManifest(m_request.folder);
+    std::error_code ec;
+    for (std::size_t i = 0; i < m_report.files.size(); ++i) {
+      const std::string& name = m_report.files[i];
+      const fs::path from = (i < frameFiles ? frames : m_work) / name;
+      m_report.bytes += fs::file_size(from, ec);
+      fs::rename(from, m_request.folder / name, ec);
+      if (ec)
+        return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {}, "can't write: " + ec.message());
+    }
+    for (const std::string& name : older) {
+      if (std::ranges::find(m_report.files, name) == m_report.files.end()) fs::remove(m_request.folder / name, ec);
+    }
+    return Done{};
+  }
+
+  /// Puts the part beside the others; completes the bake where it was the last one.
+  Status finishPart(std::vector<std::vector<Json>> groups) {
+    const std::string key = planKey(m_simulation.project(), m_simulation.solver().backend(), m_request, m_header);
+    const fs::path parts = partsFolder(m_request.folder, key);
+    Result<FolderLock> lock = FolderLock::take(m_request.folder);
+    if (!lock) return lock.error();
+    if (Status made = makeFolder(parts); !made) return made;
+    std::error_code ec;
+    for (const std::vector<Json>& group : groups) {
+      for (const Json& entry : group) {
+        const std::string name = entry["path"];
+        m_report.bytes += fs::file_size(m_work / name, ec);
+        fs::rename(m_work / name, parts / name, ec);
+        if (ec) return makeError(ErrorKind::Machine, (parts / name).string(), {}, "can't write: " + ec.message());
+        m_report.files.push_back(parts.filename() / name);
+      }
+    }
+    if (Status noted = writePart(parts, {m_header.first, m_header.last, m_header.fastest, m_seam, std::move(groups)});
+        !noted)
+      return noted;
+    std::optional<BakePart> whole = joinParts(readParts(parts), m_header.frames);
+    m_report.complete = whole.has_value();
+    if (!whole) return Done{};
+    m_report.files.clear();
+    m_report.bytes = 0;
+    m_header.first = 0;
+    m_header.last = m_header.frames - 1;
+    m_header.fastest = whole->fastest;
+    m_seam = whole->seam;
+    std::vector<BakedFile> files;
+    for (const std::vector<Json>& group : whole->groups) {
+      for (const Json& entry : group) files.push_back(fileOf(entry));
+    }
+    if (Status finished = finishWhole(std::move(whole->groups), std::move(files), parts); !finished) return finished;
+    fs::remove_all(parts, ec);
+    return Done{};
+  }
+
+  /// What a writer had said of a file of another part.
+  static BakedFile fileOf(const Json& entry) {
+    BakedFile file{entry["path"], entry["role"], entry["encoding"]};
+    for (const auto& [key, value] : entry.items()) {
+      if (key != "path" && key != "role" && key != "encoding" && key != "sha256") file.details[key] = value;
+    }
+    return file;
   }
 
   Simulation& m_simulation;
   const BakeRequest& m_request;
-  const std::function<bool(const BakeProgress&)>& m_keepGoing;
   fs::path m_work;
   BakeHeader m_header;
-  bool m_spooled = false;
-  std::vector<std::unique_ptr<FrameWriter>> m_writers;
-  std::vector<BakedFile> m_files;
+  FrameStreams m_streams;
+  SeamReport m_seam;
   BakeReport m_report;
 };
 
 }  // namespace
 
+BakeHeader headerOf(const Project& project, const BakeRequest& request) {
+  const FieldSettings& field = *project.field;
+  BakeHeader header;
+  header.grid = makeGridMapping(field.centre, field.size, request.resolution.value_or(field.resolution));
+  header.frames = request.plan.frames;
+  header.first = request.part ? request.part->first : 0;
+  header.last = request.part ? request.part->second : header.frames - 1;
+  header.fps = request.plan.fps;
+  header.start = request.plan.from;
+  header.loop = request.loop;
+  header.crossfade = request.plan.crossfade;
+  const glm::bvec2 wraps = wrapsOf(field);
+  header.periodicX = wraps.x;
+  header.periodicZ = wraps.y;
+  header.fullScale = request.fullScale.value_or(1.0f);
+  header.preset = request.preset;
+  header.space = request.space;
+  header.profile = request.profile;
+  header.project = project.name;
+  return header;
+}
+
 Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
                         const std::function<bool(const BakeProgress&)>& keepGoing) {
   WL_REQUIRE(!request.formats.empty(), "a bake has a format");
   WL_REQUIRE(request.plan.frames >= 1 && request.plan.frames <= kMaxBakeFrames, "number of frames out of range");
+  if (Status can = requireWritable(request, headerOf(simulation.project(), request)); !can) return can.error();
   if (Status made = makeFolder(request.folder); !made) return made.error();
   Result<WorkFolder> work = WorkFolder::create(request.folder);
   if (!work) return work.error();
   Baker baker(simulation, request, keepGoing, work->path());
   if (Status ran = baker.run(); !ran) return ran.error();
-  if (!baker.cancelled()) {
-    if (Status written = baker.writeManifest(); !written) return written.error();
-    if (Status published = baker.publish(); !published) return published.error();
-  }
   if (const long broken = simulation.solver().diagnostics().nonFiniteCells; broken > 0) {
     logWarning(std::to_string(broken) + " cells stopped being finite on the way and were reset");
   }

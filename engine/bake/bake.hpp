@@ -10,6 +10,8 @@
 
 #include "engine/bake/frame_writer.hpp"
 #include "engine/bake/recorder.hpp"
+#include "engine/bake/resample.hpp"
+#include "engine/bake/seam.hpp"
 
 namespace windloom {
 
@@ -21,9 +23,22 @@ struct BakeRequest {
   RecordPlan plan;
   bool loop = false;                     ///< then plan.crossfade says how many frames are blended
   std::optional<glm::ivec2> resolution;  ///< of the written frames; the wind always runs on the project's
-  std::optional<float> speedRange;       ///< m/s that flow maps encode as full scale; else from the recording
+  std::optional<float> fullScale;        ///< m/s that integer formats encode as full scale; else from the recording
   Preset preset = Preset::Generic;
+  FlowSpace space = FlowSpace::World;
+  HeightProfile profile;  ///< of volumes and wind packs
+  bool response = false;  ///< also how plants lean: four more tracks (response.hpp)
+  bool graph = false;     ///< also the arrow graph (graph_gltf.hpp)
+  bool sidecars = true;   ///< also import settings, snippets and a how-to (sidecars.hpp)
+  /// Writes only these frames of the plan (first, last), which then are the same bytes as in the whole recording; the
+  /// simulation runs up to them. Several bakes into one folder, also at the same time, complete each other: the one
+  /// that finds all frames there writes the manifest of the whole. Only with formats of numbered files and, where one
+  /// needs it, a full scale.
+  std::optional<std::pair<int, int>> part;
 };
+
+/// What the writers of this request will be told, before anything ran: for sizes and warnings.
+BakeHeader headerOf(const Project& project, const BakeRequest& request);
 
 enum class BakePhase { Recording, Writing };
 
@@ -34,7 +49,9 @@ struct BakeProgress {
 
 struct BakeReport {
   bool cancelled = false;          ///< then nothing was written
+  bool complete = true;            ///< false: a part, and other parts are still missing
   std::vector<std::string> files;  ///< names in the folder, the manifest last
+  SeamReport seam;                 ///< of a loop
   std::uint64_t bytes = 0;         ///< of all of them
   BakeHeader header;
   long steps = 0;  ///< of the simulation at the end

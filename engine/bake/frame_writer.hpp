@@ -1,49 +1,37 @@
 #pragma once
 // The export formats. A format is one file with a class derived from FrameWriter, and one line in the list of
-// writer_kinds.cpp.
+// writer_kinds.cpp. docs/formats.md has their bytes.
 
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <memory>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
-#include "engine/bake/preset.hpp"
-#include "engine/core/grid_mapping.hpp"
+#include "engine/bake/bake_header.hpp"
 #include "engine/core/result.hpp"
 
 namespace windloom {
 
-/// What every writer is told about the recording.
-struct BakeHeader {
-  GridMapping grid{};  ///< of the written frames
-  int frames = 1;
-  double fps = 30;
-  double start = 0;   ///< s: time of frame 0 in the project
-  int crossfade = 0;  ///< frames blended into the seam
-  bool loop = false;
-  bool periodicX = false, periodicZ = false;  ///< the field repeats there
-  float fastest = 0;     ///< m/s: no cell of any frame is faster; 0 where no writer needs to know it
-  float speedRange = 1;  ///< m/s that integer formats encode as full scale; > 0
-  Preset preset = Preset::Generic;
-};
-
 /// One file that a writer left in its folder.
 struct BakedFile {
   std::string path;      ///< in the folder
-  std::string role;      ///< "field": our frame; "flow": an image in the preset's frame
-  std::string encoding;  ///< "float32", "half", "unorm8"
+  std::string role;      ///< "field": our frame; "flow": images in the preset's frame; "volume"; "graph"; "sidecar"
+  std::string encoding;  ///< "float32", "half", "unorm8", "unorm16", "bc5", "text"
+  /// What else the manifest's entry says, e.g. {"frame": 3}, {"layout": "array"}, {"bounds": ...}; null: nothing.
+  nlohmann::ordered_json details = {};
 };
 
 class FrameWriter {
  public:
   virtual ~FrameWriter() = default;
 
-  /// The frames in order, each with the header's grid: width x height (vx, vz) in m/s, rows z ascending. Fails with
-  /// Machine.
+  /// Frames header.first to header.last in order, each with the header's grid: width x height (vx, vz) in m/s (rad),
+  /// rows z ascending. Fails with Machine.
   virtual Status add(int frame, std::span<const glm::vec2> cells) = 0;
 
   /// After the last frame: completes the files and names them.
@@ -53,25 +41,28 @@ class FrameWriter {
 /// Which speeds a writer must know before it starts.
 enum class SpeedNeed {
   None,
-  Range,    ///< speedRange: from the recording, unless the user gave one
+  Range,    ///< fullScale: from the recording, unless the user gave one
   Fastest,  ///< fastest: always from the recording
 };
 
 struct WriterKind {
-  std::string_view name;  ///< as on the command line
+  std::string_view name;        ///< as on the command line
+  std::string_view group = {};  ///< for menus: "Images", "Textures", "Volumes", "Data"
   std::string_view help;
-  SpeedNeed need;
-  std::uint64_t (*bytesPerFrame)(glm::ivec2 resolution);  ///< at most; for the check of free space
-  Result<std::unique_ptr<FrameWriter>> (*open)(const BakeHeader& header, const std::filesystem::path& folder);
+  SpeedNeed need = SpeedNeed::None;
+  bool numbered = false;   ///< a file (or several) a frame, so that a bake can be split into ranges of frames
+  bool exactSize = false;  ///< `bytes` is what it will be, else at most or about that
+  /// Of all files of one track, for the check of free space and for sizes in the dialog.
+  std::uint64_t (*bytes)(const BakeHeader& header) = nullptr;
+  Result<std::unique_ptr<FrameWriter>> (*open)(const BakeHeader& header, const std::filesystem::path& folder) = nullptr;
+  /// What the user should know beforehand, e.g. that the grid is resampled to the format's limit; empty: nothing.
+  std::string (*warning)(const BakeHeader& header) = nullptr;
+  /// Formats that need a library which was left out of this build say so here; open() then fails with Machine.
+  std::string_view missing = {};
 };
 
 std::span<const WriterKind> writerKinds();
 /// Null for an unknown name.
 const WriterKind* writerKindNamed(std::string_view name);
-
-// The makers, each in a file of its own name.
-Result<std::unique_ptr<FrameWriter>> openNpyWriter(const BakeHeader& header, const std::filesystem::path& folder);
-Result<std::unique_ptr<FrameWriter>> openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder);
-Result<std::unique_ptr<FrameWriter>> openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder);
 
 }  // namespace windloom

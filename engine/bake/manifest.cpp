@@ -1,10 +1,12 @@
 #include "engine/bake/manifest.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "engine/bake/response.hpp"
+#include "engine/bake/target_frame.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/sha256.hpp"
 
 namespace windloom {
 namespace {
@@ -33,21 +35,6 @@ std::string_view rowOrderOf(const PresetRules& rules) {
   return rules.firstRowHigh ? "descending" : "ascending";
 }
 
-Json fileEntry(const ManifestFile& baked, const BakeHeader& header) {
-  Json entry = {{"path", baked.file.path},
-                {"sha256", baked.sha256},
-                {"role", baked.file.role},
-                {"encoding", baked.file.encoding}};
-  if (baked.file.role == "field") {
-    const PresetRules& own = rulesOf(Preset::Generic);
-    entry["units"] = own.speedUnit;
-    entry["frame"] = frameOf(own);
-    entry["bounds"] = boundsOf(own, header.grid);
-    entry["rowOrder"] = rowOrderOf(own);
-  }
-  return entry;
-}
-
 Json solverOf(const Project& project, Backend backend) {
   const SolverSettings& solver = *project.solver;
   const bool multigrid = solver.pressure == Pressure::Multigrid;
@@ -58,53 +45,101 @@ Json solverOf(const Project& project, Backend backend) {
           {"timeStep", plain(project.field->timeStep)}};
 }
 
+/// Whether samples are codes of a full scale.
+bool isCoded(std::string_view encoding) {
+  return encoding == "unorm8" || encoding == "unorm16" || encoding == "bc5";
+}
+
+Json responseOf() {
+  Json classes = Json::array();
+  for (const PlantClass& plant : plantClasses()) {
+    classes.push_back({{"track", plant.name},
+                       {"bend", plain(plant.bend)},
+                       {"frequency", plain(plant.frequency)},
+                       {"damping", plain(plant.damping)}});
+  }
+  return {{"units", "rad"}, {"full_scale", plain(kBendFullScale)}, {"classes", std::move(classes)}};
+}
+
 bool isPlainName(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
 }
 
 }  // namespace
 
-std::string manifestText(const BakeHeader& header, const Project& project, Backend backend,
-                         std::span<const ManifestFile> files) {
+Result<Json> manifestEntry(const BakedFile& file, const BakeHeader& header, const std::filesystem::path& folder) {
+  const Result<std::string> digest = sha256OfFile(folder / file.path);
+  if (!digest) return digest.error();
+  Json entry = {{"path", file.path}, {"sha256", *digest}, {"role", file.role}, {"encoding", file.encoding}};
+  if (file.role == "field" || file.role == "flow" || file.role == "volume") entry["track"] = header.track.name;
+  if (file.role == "field") {
+    const PresetRules& own = rulesOf(Preset::Generic);
+    entry["units"] = header.track.quantity == Quantity::Wind ? own.speedUnit : "rad";
+    entry["frame"] = frameOf(own);
+    entry["bounds"] = boundsOf(own, header.grid);
+    entry["rowOrder"] = rowOrderOf(own);
+  } else if (isCoded(file.encoding)) {
+    const TargetFrame target(header);
+    entry["full_scale"] = plain(target.fullScale());
+    entry["units"] = target.unit();
+  }
+  for (const auto& [key, value] : file.details.items()) entry[key] = value;
+  return entry;
+}
+
+std::string manifestText(const ManifestFacts& facts, const Project& project, Backend backend,
+                         std::span<const Json> files) {
+  const BakeHeader& header = facts.header;
   const PresetRules& rules = rulesOf(header.preset);
-  const auto encoded =
-      std::any_of(files.begin(), files.end(), [](const ManifestFile& f) { return f.file.encoding == "unorm8"; });
-  const float speed = encoded ? header.speedRange : header.fastest;
+  const auto holds = [&](std::string_view encoding) {
+    return std::any_of(files.begin(), files.end(), [&](const Json& f) { return f["encoding"] == encoding; });
+  };
+  const bool eight = holds("unorm8") || holds("bc5"), sixteen = holds("unorm16");
+  const TargetFrame target(header);
+  const float fastest = target.unit() == "uv/s" ? header.fastest / std::min(header.grid.size.x, header.grid.size.y)
+                                                : header.fastest * rules.unitsPerMetre;
+  Json time = {{"fps", header.fps},
+               {"frames", header.frames},
+               {"start", header.start},
+               {"loop", header.loop},
+               {"crossfade", header.crossfade}};
+  if (header.crossfade > 0)
+    time["seam"] = {{"change", plain(facts.seam.seam)}, {"largestStep", plain(facts.seam.step)}, {"units", "m/s"}};
   Json manifest = {{"format", "windpack"},
                    {"version", 1},
                    {"generator", "windloom " WINDLOOM_VERSION},
                    {"name", project.name},
                    {"preset", rules.name},
-                   {"units", rules.speedUnit},
+                   {"units", target.unit()},
                    {"lengthUnit", rules.lengthUnit},
                    {"frame", frameOf(rules)},
                    {"bounds", boundsOf(rules, header.grid)},
                    {"grid", {header.grid.resolution.x, header.grid.resolution.y}},
                    {"cell", pair(header.grid.cellSize * rules.unitsPerMetre)},
-                   {"time",
-                    {{"fps", header.fps},
-                     {"frames", header.frames},
-                     {"start", header.start},
-                     {"loop", header.loop},
-                     {"crossfade", header.crossfade}}},
-                   {"vmax", plain(speed * rules.unitsPerMetre)}};
-  if (encoded) {
-    manifest["encoding"] = "unorm8";
-    manifest["zero_code"] = 128;
-    manifest["decode"] = "(code - 128) / 127 * vmax";
+                   {"time", std::move(time)},
+                   {"vmax", plain(eight || sixteen ? target.fullScale() : fastest)}};
+  if (eight || sixteen) {
+    manifest["encoding"] = holds("unorm8") ? "unorm8" : eight ? "bc5" : "unorm16";
+    manifest["zero_code"] = eight ? 128 : 32768;
+    manifest["decode"] = eight ? "(code - 128) / 127 * vmax" : "(code - 32768) / 32767 * vmax";
     manifest["channels"] = {{"r", "velocity along " + std::string(rules.axes[0])},
                             {"g", "velocity along " + std::string(rules.axes[1])},
-                            {"b", "speed, code / 255 * vmax"},
-                            {"a", "255"}};
+                            {"b", eight ? "speed, code / 255 * vmax" : "speed, code / 65535 * vmax"},
+                            {"a", eight ? "255" : "65535"}};
   } else if (!files.empty()) {
-    manifest["encoding"] = files.front().file.encoding;
+    manifest["encoding"] = files.front()["encoding"];
   }
-  manifest["space"] = "world";
+  manifest["space"] = header.space == FlowSpace::World ? "world" : "uv";
   manifest["rowOrder"] = rowOrderOf(rules);
+  manifest["vOrigin"] = rules.vUpwards ? "bottom" : "top";
   manifest["periodic"] = {header.periodicX, header.periodicZ};
-  Json list = Json::array();
-  for (const ManifestFile& file : files) list.push_back(fileEntry(file, header));
-  manifest["files"] = std::move(list);
+  manifest["profile"] = {{"law", "ln(1 + height / roughness) / ln(1 + reference / roughness)"},
+                         {"reference", plain(header.profile.reference)},
+                         {"roughness", plain(header.profile.roughness)},
+                         {"lengthUnit", "m"}};
+  if (facts.response) manifest["response"] = responseOf();
+  if (facts.card) manifest["card"] = true;
+  manifest["files"] = files;
   manifest["seed"] = project.solver->seed;
   manifest["solver"] = solverOf(project, backend);
   // A project's name may hold bytes that aren't UTF-8; they are replaced rather than thrown about.

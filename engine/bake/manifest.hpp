@@ -1,23 +1,35 @@
 #pragma once
-// manifest.json: what a game or a person needs to know to use the files beside it. docs/bake.md describes each key.
+// manifest.json: what a game or a person needs to know to use the files beside it. docs/bake.md describes each key,
+// docs/manifest.schema.json is its schema.
 
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "engine/bake/frame_writer.hpp"
+#include "engine/bake/seam.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom {
 
-struct ManifestFile {
-  BakedFile file;
-  std::string sha256;
+/// A file's line in the manifest: path, checksum, role, encoding, and for files in our own frame what that is. Fails
+/// with Machine where the file in `folder` can't be read.
+Result<nlohmann::ordered_json> manifestEntry(const BakedFile& file, const BakeHeader& header,
+                                             const std::filesystem::path& folder);
+
+/// What the manifest tells beside the files.
+struct ManifestFacts {
+  BakeHeader header;  ///< of the wind
+  SeamReport seam;    ///< of a loop
+  bool response = false;
+  bool card = false;  ///< the wind is the calibration card
 };
 
 /// The text. `backend` is the one that ran.
-std::string manifestText(const BakeHeader& header, const Project& project, Backend backend,
-                         std::span<const ManifestFile> files);
+std::string manifestText(const ManifestFacts& facts, const Project& project, Backend backend,
+                         std::span<const nlohmann::ordered_json> files);
 
 /// The names of the files that the manifest in `folder` lists; empty where there is none or it isn't ours. Only plain
 /// names, never paths.

@@ -1,4 +1,4 @@
-#include "engine/bake/frame_writer.hpp"
+#include "engine/bake/writers.hpp"
 #include "engine/io/npy.hpp"
 
 namespace windloom {

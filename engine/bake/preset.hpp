@@ -9,7 +9,7 @@
 
 namespace windloom {
 
-enum class Preset { Generic, Unreal, Unity, Godot };
+enum class Preset { Generic, Unreal, Unity, UnityNegZ, Godot };
 
 struct PresetRules {
   Preset preset = Preset::Generic;
@@ -20,8 +20,10 @@ struct PresetRules {
   std::string_view axes[2] = {"x", "z"};  ///< names there of our x and z
   float unitsPerMetre = 1.0f;             ///< 100: centimetres
   std::string_view lengthUnit = "m", speedUnit = "m/s";
-  bool negateX = false;       ///< world x and velocity x change sign, so image columns are reversed as well
-  bool firstRowHigh = false;  ///< row 0, the top of the file, is at the high end of z
+  bool negateX = false;       ///< the target's first axis is -x, so image columns are reversed as well
+  bool negateZ = false;       ///< the target's second axis is -z
+  bool firstRowHigh = false;  ///< row 0, the top of the file, is at the high end of the target's second axis
+  bool vUpwards = false;      ///< texture coordinate v is 0 at the bottom row of a file, not at the top
 };
 
 std::span<const PresetRules> presets();

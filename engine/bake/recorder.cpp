@@ -24,17 +24,20 @@ float seamWeight(const RecordPlan& plan, int n) {
 }
 
 Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const std::optional<glm::ivec2>& resolution,
+                         const std::function<bool(int frame)>& wanted,
                          const std::function<Status(int frame, std::span<const glm::vec2> cells)>& take,
                          const std::function<bool(const RecordProgress&)>& keepGoing) {
   const auto timeStep = static_cast<double>(simulation.project().field->timeStep);
-  const int frames = plan.frames + plan.crossfade;
+  int frames = plan.frames + plan.crossfade;
+  while (frames > 0 && !wanted(frames - 1)) --frames;
   const glm::ivec2 full = simulation.solver().grid().resolution;
   std::optional<Resampler> resampler;
-  if (resolution && *resolution != full) resampler.emplace(full, *resolution);
+  if (resolution && *resolution != full) resampler.emplace(full, *resolution, wrapsOf(*simulation.project().field));
   std::vector<glm::vec2> resampled;
-  RecordProgress progress{simulation.steps(), stepOfFrame(plan, frames - 1, timeStep)};
+  RecordProgress progress{simulation.steps(), stepOfFrame(plan, std::max(frames, 1) - 1, timeStep)};
   for (int frame = 0; frame < frames; ++frame) {
-    for (const long wanted = stepOfFrame(plan, frame, timeStep); simulation.steps() < wanted; simulation.step()) {
+    if (!wanted(frame)) continue;
+    for (const long until = stepOfFrame(plan, frame, timeStep); simulation.steps() < until; simulation.step()) {
       progress.step = simulation.steps();
       if (!keepGoing(progress)) return RecordEnd::Cancelled;
     }

@@ -37,9 +37,10 @@ struct RecordProgress {
 enum class RecordEnd { Finished, Cancelled };
 
 /// Steps `simulation` from where it stands (at or before the first frame's step) through all frames of the plan, seam
-/// included, and gives each to `take` in order, resampled to `resolution` where one is given. `keepGoing` is asked at
-/// each step. Fails with what `take` fails with.
+/// included, that `wanted` asks for, and gives each of those to `take` in order, resampled to `resolution` where one is
+/// given. `keepGoing` is asked at each step. Fails with what `take` fails with.
 Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const std::optional<glm::ivec2>& resolution,
+                         const std::function<bool(int frame)>& wanted,
                          const std::function<Status(int frame, std::span<const glm::vec2> cells)>& take,
                          const std::function<bool(const RecordProgress&)>& keepGoing);
 

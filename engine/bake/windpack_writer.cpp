@@ -3,8 +3,8 @@
 #include <bit>
 #include <cstring>
 
-#include "engine/bake/frame_writer.hpp"
 #include "engine/bake/half.hpp"
+#include "engine/bake/writers.hpp"
 #include "engine/io/atomic_file.hpp"
 #include "engine/runtime/checksum.h"
 #include "engine/runtime/windpack_format.h"

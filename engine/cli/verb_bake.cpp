@@ -9,18 +9,20 @@
 #include "engine/cli/progress.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
+#include "engine/core/log.hpp"
 #include "engine/core/text.hpp"
 
 namespace windloom::cli {
 namespace {
 
 struct Options : CommonOptions, RunOptions {
-  std::string file, out, resolution;
-  std::string preset = "generic";
+  std::string file, out, resolution, part;
+  std::string preset = "generic", space = "world";
   std::vector<std::string> formats;
-  std::optional<double> from, seconds, fps, speedRange;
+  std::optional<double> from, seconds, fps, speedRange, warmUp;
   std::optional<long> steps;
-  bool loop = false;
+  HeightProfile profile;
+  bool loop = false, response = false, graph = false, noSidecars = false;
 };
 
 constexpr double kDefaultSeconds = 2, kDefaultFps = 30;
@@ -43,12 +45,29 @@ std::optional<glm::ivec2> parseResolution(const std::string& text) {
   return glm::ivec2(*width, *height);
 }
 
+/// "3-17", or "5" for one frame.
+std::optional<std::pair<int, int>> parsePart(const std::string& text) {
+  const auto dash = text.find('-');
+  const auto first = parseNumber(text.substr(0, dash));
+  const auto last = dash == std::string::npos ? first : parseNumber(text.substr(dash + 1));
+  const auto sensible = [](const std::optional<double>& frame) {
+    return frame && *frame >= 0 && *frame < kMaxBakeFrames && *frame == std::floor(*frame);
+  };
+  if (!sensible(first) || !sensible(last) || *first > *last) return std::nullopt;
+  return std::pair(static_cast<int>(*first), static_cast<int>(*last));
+}
+
 /// Which frames: --steps alone gives the one field that many steps after --from; with --fps all frames up to there.
 Result<RecordPlan> planOf(const Options& options, const Project& project) {
   RecordPlan plan;
   plan.from = options.from.value_or(options.initialTime);
   if (plan.from < options.initialTime) {
     return makeError(ErrorKind::Usage, "--from lies before --initial-time");
+  }
+  if (options.warmUp && *options.warmUp > plan.from) {
+    return makeError(ErrorKind::Usage, "--warm-up " + shortest(*options.warmUp) +
+                                           " begins before the project's time 0; use --from " +
+                                           shortest(*options.warmUp) + " or later");
   }
   plan.fps = options.fps.value_or(kDefaultFps);
   double frames = 1;
@@ -97,7 +116,18 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
                                              "', expected WxH in cells, 1 to " + std::to_string(kMaxSide) + " a side");
     }
   }
-  if (options.speedRange) request.speedRange = static_cast<float>(*options.speedRange);
+  if (options.speedRange) request.fullScale = static_cast<float>(*options.speedRange);
+  request.space = options.space == "uv" ? FlowSpace::Uv : FlowSpace::World;
+  request.profile = options.profile;
+  request.response = options.response;
+  request.graph = options.graph;
+  request.sidecars = !options.noSidecars;
+  if (!options.part.empty()) {
+    request.part = parsePart(options.part);
+    if (!request.part) {
+      return makeError(ErrorKind::Usage, "--frames: found '" + options.part + "', expected A-B, both counted from 0");
+    }
+  }
   const Result<RecordPlan> plan = planOf(options, project);
   if (!plan) return plan.error();
   request.plan = *plan;
@@ -115,6 +145,8 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
                {"fps", header.fps},
                {"grid", {header.grid.resolution.x, header.grid.resolution.y}},
                {"steps", report.steps},
+               {"complete", report.complete},
+               {"seam", {{"change", jsonNumber(report.seam.seam)}, {"largestStep", jsonNumber(report.seam.step)}}},
                {"backend", backendName(backend)},
                {"fastest", jsonNumber(header.fastest)},
                {"wallSeconds", wallSeconds}});
@@ -125,6 +157,12 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
               header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
               fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend),
               fixed(wallSeconds, 1).c_str());
+  if (header.crossfade > 0) {
+    std::printf("loop: from the last frame to the first the wind changes by at most %s m/s, between others by %s m/s\n",
+                fixed(static_cast<double>(report.seam.seam), 2).c_str(),
+                fixed(static_cast<double>(report.seam.step), 2).c_str());
+  }
+  if (!report.complete) std::printf("part of a bake: frames of other parts are still missing\n");
 }
 
 int runBake(const Options& options) {
@@ -142,6 +180,11 @@ int runBake(const Options& options) {
   if (!options.initial.empty()) {
     if (const Status loaded = loadInitialField(simulation, options.initial, options.initialTime); !loaded)
       return reportError(loaded.error(), options);
+  }
+  if (options.warmUp) simulation.startAt(request->plan.from - *options.warmUp);
+  for (const WriterKind* kind : request->formats) {
+    const std::string warning = kind->warning != nullptr ? kind->warning(headerOf(*project, *request)) : "";
+    if (!warning.empty()) logWarning(std::string(kind->name) + ": " + warning);
   }
   noteInterrupts();
   Result<BakeReport> report = BakeReport{};
@@ -194,6 +237,40 @@ VerbAction makeBakeVerb(CLI::App& app) {
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
       ->type_name("WxH");
   app.add_flag("--loop", options->loop, "Blend the end into the start, so that the recording repeats without a jump");
+  app.add_option(
+         "--frames", options->part,
+         "Write only frames A to B of the recording, the same bytes as in the whole: for render farms. Bakes of "
+         "other ranges into the same folder complete it")
+      ->type_name("A-B");
+  app.add_option("--warm-up", options->warmUp,
+                 "Let the wind blow only so long before --from, instead of from the project's start, s")
+      ->type_name("S")
+      ->check(CLI::Range(0.0, 1e6));
+  app.add_option("--space", options->space,
+                 "What images hold: world velocity, or uv: texture coordinates a second for panning shaders")
+      ->check(CLI::IsMember({"world", "uv"}))
+      ->capture_default_str();
+  app.add_flag("--response", options->response,
+               "Also how plants of four stiffnesses lean (rad), solved with springs, in every format");
+  app.add_flag("--graph", options->graph, "Also the arrow graph as graph.gltf");
+  app.add_flag("--no-sidecars", options->noSidecars, "No how-to, shader code and import settings beside the files");
+  app.add_option("--layers", options->profile.layers, "Layers of volumes, from the ground up")
+      ->type_name("N")
+      ->check(CLI::Range(1, 128))
+      ->capture_default_str();
+  app.add_option("--top", options->profile.top, "Height of volumes, m")
+      ->type_name("M")
+      ->check(CLI::Range(0.1, 1000.0))
+      ->capture_default_str();
+  app.add_option("--reference-height", options->profile.reference,
+                 "Height at which the wind is as the field says; below and above it follows the logarithmic law, m")
+      ->type_name("M")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->capture_default_str();
+  app.add_option("--roughness", options->profile.roughness, "Roughness length of the ground, m (grass 0.03, forest 1)")
+      ->type_name("M")
+      ->check(CLI::Range(1e-4, 10.0))
+      ->capture_default_str();
   addRunOptions(app, *options);
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")

@@ -17,6 +17,7 @@ constexpr std::array<Names, 3> kObstacleShapes{"circle", "box", "polygon"};
 constexpr std::array<Names, 4> kGrassKinds{"instanced", "bezier", "shell", "none"};
 constexpr std::array<Names, 3> kTerrainKinds{"flat", "heightmap", "mesh"};
 constexpr std::array<Names, 3> kDeformations{"arc", "quadratic", "inertial"};
+constexpr std::array<Names, 2> kSources{"solved", "card"};
 constexpr std::array<Names, 5> kPlantShapes{"blade", "daisy", "poppy", "spike", "mesh"};
 constexpr std::array<Names, 3> kColliderShapes{"sphere", "capsule", "mesh"};
 
@@ -47,6 +48,9 @@ template <>
 std::span<const Parameter<SolverSettings>> parametersOf<SolverSettings>() {
   using S = SolverSettings;
   static constexpr std::array kTable{
+      choice<&S::source>("source", "Wind", kSources,
+                         "Solved from the arrows and the ambient wind, or the calibration card: a known pattern that "
+                         "shows whether an export arrives in a game as it should."),
       choice<&S::backend>("backend", "Backend", kBackends,
                           "Where the wind is computed; auto takes the CPU where OpenGL is a software renderer."),
       choice<&S::advection>("advection", "Advection", kAdvections,

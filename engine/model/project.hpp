@@ -37,8 +37,13 @@ struct FieldSettings {
 enum class Backend { Auto, Gpu, Cpu };
 enum class Advection { MacCormack, SemiLagrangian };
 enum class Pressure { Multigrid, Jacobi };
+enum class WindSource {
+  Solved,  ///< the arrows and the ambient wind drive the air
+  Card,    ///< the calibration card (model/calibration_card.hpp); arrows and ambient wind have no effect
+};
 
 struct SolverSettings {
+  WindSource source = WindSource::Solved;
   Backend backend = Backend::Auto;  ///< Auto: the GPU, but the CPU where OpenGL is a software renderer
   Advection advection = Advection::MacCormack;
   Pressure pressure = Pressure::Multigrid;

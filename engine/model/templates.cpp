@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "engine/model/calibration_card.hpp"
+
 namespace windloom {
 namespace {
 
@@ -18,6 +20,7 @@ class Composer {
 
   FieldSettings field;
   AmbientWind ambient;
+  SolverSettings solver;
   GrassSettings grass;
   Arrow style;  ///< how the arrows added next blow
 
@@ -101,6 +104,7 @@ class Composer {
     camera("top", {field.centre.x, height, field.centre.y + 1}, {field.centre.x, 0, field.centre.y}, kFieldOfView);
     m_project.field = std::make_shared<FieldSettings>(field);
     m_project.ambient = std::make_shared<AmbientWind>(ambient);
+    m_project.solver = std::make_shared<SolverSettings>(solver);
     m_project.grass = std::make_shared<GrassSettings>(grass);
     m_project.graph = std::make_shared<WindGraph>(std::move(m_graph));
     m_project.obstacles = std::make_shared<std::vector<Obstacle>>(std::move(m_obstacles));
@@ -376,6 +380,23 @@ Project makeDoorwayDraught() {
   return make.finish();
 }
 
+Project makeCalibration() {
+  Composer make("Calibration card");
+  make.solver.source = WindSource::Card;
+  // Neither square nor around the origin: a swapped axis or a lost offset shows.
+  make.field.centre = {8, -4};
+  make.field.size = {64, 48};
+  make.field.resolution = {128, 96};
+  make.field.xMin = make.field.xMax = make.field.zMin = make.field.zMax = Border::Periodic;
+  // The axes, as arrows to find again in the game: red would be x, blue z.
+  const Id middle = make.point({8, -4}, "middle");
+  make.arrow(middle, make.point({24, -4}, "plus x"), kCardSpeed);
+  make.arrow(middle, make.point({8, 8}, "plus z"), kCardSpeed);
+  make.probe({8, -4}, "middle");
+  make.camera("hero", {8, 9, 34}, {8, 0, -4}, 55);
+  return make.finish();
+}
+
 }  // namespace
 
 std::span<const ProjectTemplate> projectTemplates() {
@@ -393,7 +414,9 @@ std::span<const ProjectTemplate> projectTemplates() {
       ProjectTemplate{"colliding-winds", "Colliding winds", "Two opposite winds meet and turn each other aside.",
                       makeCollidingWinds},
       ProjectTemplate{"doorway-draught", "Doorway draught", "Air bursts through a gap in a wall and spreads behind it.",
-                      makeDoorwayDraught}};
+                      makeDoorwayDraught},
+      ProjectTemplate{"calibration", "Calibration card", "A known wind for checking how an export arrives in a game.",
+                      makeCalibration}};
   return kTemplates;
 }
 

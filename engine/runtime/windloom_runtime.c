@@ -218,6 +218,12 @@ const char* windloom_status_text(windloom_status status) {
       return "The wind pack is damaged.";
     case WINDLOOM_OUT_OF_MEMORY:
       return "There is not enough memory for the wind pack.";
+    case WINDLOOM_NEEDS_ZSTD:
+      return "The wind pack is compressed and this library was built without zstd.";
+    case WINDLOOM_NO_LIVE_FIELD:
+      return "No editor shares a live field of that name.";
+    case WINDLOOM_NOT_HERE:
+      return "This system has no shared memory.";
   }
   return "Unknown status.";
 }

@@ -23,7 +23,10 @@ typedef enum windloom_status {
   WINDLOOM_TOO_LARGE,     /* it claims a size over the limits of the format; nothing was allocated */
   WINDLOOM_CUT_SHORT,     /* shorter or longer than its header says */
   WINDLOOM_DAMAGED,       /* the checksum is wrong, or a value makes no sense */
-  WINDLOOM_OUT_OF_MEMORY
+  WINDLOOM_OUT_OF_MEMORY,
+  WINDLOOM_NEEDS_ZSTD,    /* compressed, and this library was built without zstd */
+  WINDLOOM_NO_LIVE_FIELD, /* no editor shares a live field of that name */
+  WINDLOOM_NOT_HERE       /* this system has no shared memory */
 } windloom_status;
 
 /* What happens to positions outside the field. */
@@ -42,6 +45,9 @@ typedef struct windloom_info {
   double start;       /* s: time of frame 0 in the project it was baked from */
   int loop;           /* 1: the last frame is followed by the first */
   windloom_edge edge_x, edge_z;
+  int quantity;           /* 0: wind, m/s; 1: how plants lean, rad (a baked response) */
+  float reference_height; /* m: height over the ground at which the wind is as stored, > 0 */
+  float roughness;        /* m: roughness length of the ground, > 0; 0: the wind is the same at all heights */
 } windloom_info;
 
 /* A pack, or NULL with the reason in *status (which may be NULL). Everything is checked before it is
@@ -67,6 +73,40 @@ void windloom_sample(const windloom_pack* pack, float x, float z, double time, f
  * which may be the same array. */
 void windloom_sample_many(const windloom_pack* pack, const float* positions, size_t count, double time,
                           float* velocities);
+
+/* Part of the stored wind that blows `height` m over the ground: the logarithmic law
+ * ln(1 + height / roughness) / ln(1 + reference_height / roughness); 0 at and below the ground, 1 everywhere where
+ * the pack has no roughness. Multiply a sample with it. */
+float windloom_height_factor(const windloom_pack* pack, float height);
+
+/* Following a file: loads a pack and loads it again whenever the file was replaced, as an export does. */
+typedef struct windloom_follow windloom_follow;
+
+/* Never NULL but where memory is out; the file may come into being later. `path` is copied. */
+windloom_follow* windloom_follow_open(const char* path);
+/* Looks at the file (a few microseconds) and loads it where it is another one than last time. 1: there is a new pack,
+ * 0: nothing changed, -1: the new file can't be loaded (see windloom_follow_status) and the last pack stays. A pack that
+ * was replaced is freed at the next change, so threads that sample it have until then. */
+int windloom_follow_poll(windloom_follow* follow);
+/* The pack that was loaded last, or NULL. */
+const windloom_pack* windloom_follow_pack(const windloom_follow* follow);
+windloom_status windloom_follow_status(const windloom_follow* follow);
+void windloom_follow_close(windloom_follow* follow);
+
+/* The live link: the wind of a running editor, through shared memory. */
+typedef struct windloom_live windloom_live;
+
+/* The field that an editor shares under `name` (NULL: "windloom"), or NULL with the reason. Takes all memory it will
+ * ever need. */
+windloom_live* windloom_live_open(const char* name, windloom_status* status);
+/* Takes over the newest complete field. 1: newer than the last one, 0: nothing new, -1: the editor has ended the link
+ * (the last field stays). Never waits for the editor. Not while another thread samples. */
+int windloom_live_update(windloom_live* live);
+/* Of the field taken over last: frames is 1, fps 0, start the time in the project; width is 0 before the first. */
+windloom_info windloom_live_info(const windloom_live* live);
+/* As windloom_sample, of that field. */
+void windloom_live_sample(const windloom_live* live, float x, float z, float velocity[2]);
+void windloom_live_close(windloom_live* live);
 
 #ifdef __cplusplus
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/gpu/context.hpp"
+#include "engine/model/calibration_card.hpp"
 #include "engine/model/validate.hpp"
 
 namespace windloom {
@@ -76,13 +77,31 @@ void Simulation::adopt(const Project& project) {
   if (!m_graph || project.graph != m_project.graph) m_graph = std::make_unique<GraphEvaluator>(*project.graph);
   m_project = project;
   m_cellsFresh = false;
+  if (shows(WindSource::Card)) showCard();
+}
+
+bool Simulation::shows(WindSource source) const {
+  return m_project.solver->source == source;
+}
+
+void Simulation::showCard() {
+  const GridMapping& grid = m_solver->grid();
+  m_cells.clear();
+  for (int k = 0; k < grid.resolution.y; ++k) {
+    for (int i = 0; i < grid.resolution.x; ++i)
+      m_cells.push_back(cardWind((glm::vec2(i, k) + 0.5f) / glm::vec2(grid.resolution), m_seconds));
+  }
+  const Status set = m_solver->setVelocity(m_cells);
+  WL_REQUIRE(set.ok(), "the card is finite");
+  m_cellsFresh = true;
 }
 
 Status Simulation::setProject(const Project& project) {
   if (project.sameAs(m_project)) return Done{};
   if (Status valid = requireValid(project); !valid) return valid;
-  const bool rebuild =
-      !sameGrid(*project.field, *m_project.field) || project.solver->backend != m_project.solver->backend;
+  const bool rebuild = !sameGrid(*project.field, *m_project.field) ||
+                       project.solver->backend != m_project.solver->backend ||
+                       project.solver->source != m_project.solver->source;
   const bool otherSetup = project.field != m_project.field || project.solver != m_project.solver ||
                           project.ambient != m_project.ambient || project.obstacles != m_project.obstacles;
   if (rebuild) {
@@ -122,6 +141,10 @@ Status Simulation::setResolution(std::optional<glm::ivec2> resolution) {
   m_cellsFresh = false;
   // At the start the new solver's own air is the right one.
   m_fromStart = untouched;
+  if (shows(WindSource::Card)) {
+    showCard();
+    return Done{};
+  }
   if (untouched) return Done{};
   const GridMapping& grid = m_solver->grid();
   std::vector<glm::vec2> cells;
@@ -135,6 +158,8 @@ Status Simulation::setResolution(std::optional<glm::ivec2> resolution) {
 }
 
 Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::vec2> cells, long step) {
+  if (shows(WindSource::Card))
+    return makeError(ErrorKind::BadInput, "the calibration card is known at every time, it takes no initial field");
   const glm::ivec2 expected = m_solver->grid().resolution;
   if (resolution != expected) {
     return makeError(ErrorKind::BadInput, "the initial field has " + std::to_string(resolution.x) + " x " +
@@ -151,6 +176,7 @@ Status Simulation::setInitialField(glm::ivec2 resolution, std::span<const glm::v
 }
 
 void Simulation::step() {
+  if (shows(WindSource::Card)) return setStep(m_steps + 1);
   std::vector<ArrowForce> forces = m_graph->forcesAt(m_seconds);
   forces.insert(forces.end(), m_transient.begin(), m_transient.end());
   // Air that was combed is not the air that playing from the start gives.
@@ -195,7 +221,7 @@ void Simulation::goTowards(long step) {
 void Simulation::restart() {
   m_solver->reset();
   m_fromStart = true;
-  if (startsFromField()) {
+  if (startsFromField() && !shows(WindSource::Card)) {
     const Status set = m_solver->setVelocity(m_initial);
     WL_REQUIRE(set.ok(), "an initial field that was taken once is taken again");
     setStep(m_initialStep);
@@ -204,10 +230,18 @@ void Simulation::restart() {
   setStep(0);
 }
 
+void Simulation::startAt(double seconds) {
+  m_solver->reset();
+  m_checkpoints.clear(stepsInASecond(m_project));
+  setStep(stepAt(seconds));
+  m_fromStart = m_steps == startStep();
+}
+
 void Simulation::setStep(long step) {
   m_steps = step;
   m_seconds = static_cast<double>(step) * static_cast<double>(m_project.field->timeStep);
   m_cellsFresh = false;
+  if (shows(WindSource::Card)) showCard();
 }
 
 bool Simulation::runTo(double seconds, const std::function<bool(double time)>& cancelled) {

@@ -48,6 +48,8 @@ class Simulation {
   void step();
   /// Back to the start: the ambient wind at time 0, or the initial field at its time.
   void restart();
+  /// From the ambient wind at `seconds`, rounded to whole steps, instead of at 0: what blew before is left out.
+  void startAt(double seconds);
   /// Steps until time() is `seconds` rounded to whole steps; does nothing where that lies behind. `cancelled`
   /// is asked before each step; where it says yes, stops there and returns false.
   bool runTo(double seconds, const std::function<bool(double time)>& cancelled = {});
@@ -81,6 +83,8 @@ class Simulation {
   Simulation() = default;
   Status build(const Project& project);
   void adopt(const Project& project);
+  [[nodiscard]] bool shows(WindSource source) const;
+  void showCard();
   void setStep(long step);
   [[nodiscard]] bool startsFromField() const;
   [[nodiscard]] long startStep() const;  // where restart() leads

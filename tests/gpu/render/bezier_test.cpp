@@ -21,28 +21,10 @@ class BezierPicture : public RenderTest {
     blow({0.0f, 0.0f});
   }
   template <class Change>
-  void setGrass(const Change& change) {
-    GrassSettings grass = *m_project.grass;
-    change(grass);
-    m_project.grass = std::make_shared<GrassSettings>(grass);
-  }
-  template <class Change>
   void setBezier(const Change& change) {
     BezierSettings bezier = *m_project.bezier;
     change(bezier);
     m_project.bezier = std::make_shared<BezierSettings>(bezier);
-  }
-  void blow(glm::vec2 wind) {
-    m_wind = uniformWind(wind);
-    const FieldSettings& field = *m_project.field;
-    m_input.wind = {m_wind.name(), makeGridMapping(field.centre, field.size, {16, 16})};
-  }
-  FrameStats rendered() {
-    auto target = gpu::Framebuffer::create("test picture", m_input.size, {.colour = GL_RGBA8, .depth = 0});
-    EXPECT_TRUE(target.ok());
-    FrameInput input = m_input;
-    input.framebuffer = target->name();
-    return m_renderer->render(input);
   }
   BezierCounts counts() {
     picture();
@@ -55,8 +37,6 @@ class BezierPicture : public RenderTest {
     }
     return count;
   }
-  /// Looking down, the lower half of the picture is all grass.
-  static glm::vec3 meadow(const Picture& shown) { return shown.mean({0, shown.size.y / 2}, shown.size); }
 };
 
 TEST_F(BezierPicture, GrassIsGreenAndBareGroundIsNot) {

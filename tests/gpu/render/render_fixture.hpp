@@ -38,7 +38,29 @@ class RenderTest : public GpuTest {
     grass.density = density;
     m_project.grass = std::make_shared<GrassSettings>(grass);
   }
+  template <class Change>
+  void setGrass(const Change& change) {
+    GrassSettings grass = *m_project.grass;
+    change(grass);
+    m_project.grass = std::make_shared<GrassSettings>(grass);
+  }
+  /// The same wind everywhere.
+  void blow(glm::vec2 wind) {
+    m_wind = uniformWind(wind);
+    const FieldSettings& field = *m_project.field;
+    m_input.wind = {m_wind.name(), makeGridMapping(field.centre, field.size, {16, 16})};
+  }
   Picture picture() { return draw(*m_renderer, m_input); }
+  /// What a frame tells.
+  FrameStats rendered() {
+    auto target = gpu::Framebuffer::create("test picture", m_input.size, {.colour = GL_RGBA8, .depth = 0});
+    EXPECT_TRUE(target.ok());
+    FrameInput input = m_input;
+    input.framebuffer = target->name();
+    return m_renderer->render(input);
+  }
+  /// Looking down, the lower half of the picture is all grass.
+  static glm::vec3 meadow(const Picture& shown) { return shown.mean({0, shown.size.y / 2}, shown.size); }
 
   std::unique_ptr<FrameRenderer> m_renderer;
   Project m_project;

@@ -151,7 +151,7 @@ TEST(Bake, ThePresetDecidesTheManifestsFrameButNotTheArraysOne) {
   const TemporaryFolder folder;
   BakeRequest request = requestFor(folder.path(), {"npy", "png"}, {0, 10, 1, 0});
   request.preset = Preset::Unreal;
-  request.speedRange = 5.0f;
+  request.fullScale = 5.0f;
   mustBake(smallProject(), request);
   const nlohmann::json manifest = readManifest(folder.path());
   EXPECT_EQ(manifest["frame"]["handedness"], "left");

@@ -14,7 +14,7 @@ Image flowMapOf(const std::vector<glm::vec2>& field, Preset preset) {
   const TemporaryFolder folder;
   BakeHeader header;
   header.grid = makeGridMapping({0, 0}, {6, 4}, kResolution);
-  header.speedRange = 10.0f;
+  header.fullScale = 10.0f;
   header.preset = preset;
   Result<std::unique_ptr<FrameWriter>> writer = writerKindNamed("png")->open(header, folder.path());
   EXPECT_TRUE(writer);

@@ -1,0 +1,79 @@
+#include "engine/bake/bake_parts.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "engine/core/file.hpp"
+
+namespace windloom {
+namespace fs = std::filesystem;
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr std::string_view kNote = "part-";
+
+BakePart partFrom(const Json& note) {
+  BakePart part;
+  part.first = note.at("first");
+  part.last = note.at("last");
+  part.fastest = note.at("fastest");
+  part.seam = {note.at("seam"), note.at("step")};
+  part.groups = note.at("groups");
+  return part;
+}
+
+}  // namespace
+
+fs::path partsFolder(const fs::path& folder, const std::string& key) {
+  return folder / (".parts-" + key.substr(0, 16));
+}
+
+Status writePart(const fs::path& parts, const BakePart& part) {
+  const Json note = {{"first", part.first},    {"last", part.last},      {"fastest", part.fastest},
+                     {"seam", part.seam.seam}, {"step", part.seam.step}, {"groups", part.groups}};
+  const std::string name = std::string(kNote) + std::to_string(part.first) + "-" + std::to_string(part.last) + ".json";
+  return writeFileAtomically(parts / name, note.dump());
+}
+
+std::vector<BakePart> readParts(const fs::path& parts) {
+  std::vector<BakePart> found;
+  std::error_code ec;
+  for (const fs::directory_entry& entry : fs::directory_iterator(parts, ec)) {
+    if (!entry.path().filename().string().starts_with(kNote)) continue;
+    const Result<std::string> text = readFile(entry.path());
+    if (!text) continue;
+    const Json note = Json::parse(*text, nullptr, false);
+    try {
+      found.push_back(partFrom(note));
+    } catch (const Json::exception&) {
+      continue;  // not a note of ours: its frames count as missing
+    }
+  }
+  std::ranges::sort(found, {}, [](const BakePart& part) { return std::pair(part.first, part.last); });
+  return found;
+}
+
+std::optional<BakePart> joinParts(std::vector<BakePart> parts, int frames) {
+  BakePart whole;
+  whole.last = frames - 1;
+  int next = 0;  // first frame that is still missing
+  for (BakePart& part : parts) {
+    if (part.first > next) return std::nullopt;
+    if (part.last < next) continue;
+    whole.fastest = std::max(whole.fastest, part.fastest);
+    whole.seam.seam = std::max(whole.seam.seam, part.seam.seam);
+    whole.seam.step = std::max(whole.seam.step, part.seam.step);
+    whole.groups.resize(std::max(whole.groups.size(), part.groups.size()));
+    for (std::size_t g = 0; g < part.groups.size(); ++g) {
+      for (Json& entry : part.groups[g]) {
+        if (entry.value("frame", 0) >= next) whole.groups[g].push_back(std::move(entry));
+      }
+    }
+    next = part.last + 1;
+  }
+  if (next < frames) return std::nullopt;
+  return whole;
+}
+
+}  // namespace windloom

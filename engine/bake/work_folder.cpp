@@ -1,0 +1,52 @@
+#include "engine/bake/work_folder.hpp"
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <cstring>
+#include <string>
+#include <utility>
+
+namespace windloom {
+namespace fs = std::filesystem;
+
+Result<WorkFolder> WorkFolder::create(const fs::path& parent) {
+  std::string name = (parent / ".bake.XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) {
+    return makeError(ErrorKind::Machine, parent.string(), {}, std::string("can't write here: ") + std::strerror(errno));
+  }
+  return WorkFolder(name);
+}
+
+WorkFolder::~WorkFolder() {
+  std::error_code ignored;
+  if (!m_path.empty()) fs::remove_all(m_path, ignored);
+}
+
+WorkFolder::WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
+
+Result<FolderLock> FolderLock::take(const fs::path& folder) {
+  // The folder itself is locked, so no lock file stays behind.
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  int locked = -1;
+  if (descriptor >= 0) {
+    do {
+      locked = ::flock(descriptor, LOCK_EX);
+    } while (locked != 0 && errno == EINTR);
+  }
+  if (locked == 0) return FolderLock(descriptor);
+  const int code = errno;
+  if (descriptor >= 0) ::close(descriptor);
+  return makeError(ErrorKind::Machine, folder.string(), {}, std::string("can't be locked: ") + std::strerror(code));
+}
+
+FolderLock::~FolderLock() {
+  if (m_descriptor >= 0) ::close(m_descriptor);
+}
+
+FolderLock::FolderLock(FolderLock&& other) noexcept : m_descriptor(std::exchange(other.m_descriptor, -1)) {}
+
+}  // namespace windloom
