@@ -74,8 +74,8 @@ struct Passes {
 
   explicit Passes(int batchCount) : batches(batchCount) {}
 
-  const float* placesOf(int moment) const {
-    return places.data() + static_cast<std::size_t>(moment % sets) * kBatch * 2;
+  [[nodiscard]] const float* placesOf(int batch) const {
+    return places.data() + static_cast<std::size_t>(batch % kSets) * kBatch * 2;
   }
 
   /// With `perMoment` batches at each moment: 1 finds nothing of the moment's frames in the cache.
