@@ -6,7 +6,7 @@ build_packages="g++ cmake ninja-build ccache pkg-config git
   libglfw3-dev libimgui-dev fonts-inter fonts-fork-awesome
   libegl1 libgl1 libgl1-mesa-dri"
 
-test_packages="libgtest-dev libbenchmark-dev xvfb xdotool x11-utils imagemagick zstd
+test_packages="libgtest-dev libbenchmark-dev xvfb xdotool x11-utils imagemagick zstd clang libclang-rt-dev
   python3 python3-numpy python3-jsonschema python3-xlib"
 
 # ensure_packages NAME...: installs what is missing, as root or through sudo; quiet and quick when
