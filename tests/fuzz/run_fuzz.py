@@ -42,18 +42,37 @@ def write_corpus(folder):
         (folder / f"{n:02}.windpack").write_bytes(data)
 
 
+def write_damage(folder):
+    """Packs cut at every byte, and with every bit of the header turned."""
+    for kind, good in enumerate([pack(version=1), pack(), pack(flags=FLOATS | LOOP)]):
+        header = 80 if kind == 0 else 96
+        for length in range(len(good)):
+            (folder / f"{kind}-cut-{length:04}").write_bytes(good[:length])
+        for bit in range(8 * header):
+            bad = bytearray(good)
+            bad[bit // 8] ^= 1 << bit % 8
+            (folder / f"{kind}-bit-{bit:04}").write_bytes(bad)
+
+
+def fuzz(program, crashes, *options):
+    return subprocess.run([program, "-max_len=4096", "-timeout=10", "-rss_limit_mb=1024", f"-artifact_prefix={crashes}/", *options],
+                          capture_output=True, text=True, errors="replace")
+
+
 def main():
     program, seconds, crashes = sys.argv[1], int(sys.argv[2]), pathlib.Path(sys.argv[3])
     crashes.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix="windloom-fuzz-") as name:
-        corpus = pathlib.Path(name)
+        corpus, damage = pathlib.Path(name, "corpus"), pathlib.Path(name, "damage")
+        corpus.mkdir()
+        damage.mkdir()
         write_corpus(corpus)
-        done = subprocess.run([program, f"-max_total_time={seconds}", "-max_len=4096", "-timeout=10", "-rss_limit_mb=1024",
-                               "-print_final_stats=1", f"-artifact_prefix={crashes}/", corpus],
-                              capture_output=True, text=True, errors="replace")
-    tail = "\n".join(done.stderr.splitlines()[-60:])
+        write_damage(damage)
+        done = fuzz(program, crashes, "-runs=0", damage)
+        if done.returncode == 0:
+            done = fuzz(program, crashes, f"-max_total_time={seconds}", "-print_final_stats=1", corpus)
     if done.returncode != 0:
-        print(f"{tail}\nThe input is in {crashes}.")
+        print("\n".join(done.stderr.splitlines()[-60:]), f"\nThe input is in {crashes}.")
         return 1
     runs = [int(line.split()[-1]) for line in done.stderr.splitlines() if "number_of_executed_units" in line]
     print(f"{runs[0] if runs else 0} inputs in {seconds} s, nothing broke")
