@@ -86,11 +86,11 @@ std::string ddsVolumeRefusal(const BakeHeader& header) {
 }
 
 OpenedWriter openDdsWriter(const BakeHeader& header, const std::filesystem::path& folder) {
-  return openDds(header, folder, {TextureFormat::Rg16f, TextureShape::Array, "flow"});
+  return openDds(header, folder, {TextureFormat::Rg16f, TextureShape::Array, "wind"});
 }
 
 OpenedWriter openDdsRgbaWriter(const BakeHeader& header, const std::filesystem::path& folder) {
-  return openDds(header, folder, {TextureFormat::Rgba16f, TextureShape::Array, "flow-rgba"});
+  return openDds(header, folder, {TextureFormat::Rgba16f, TextureShape::Array, "wind-rgba"});
 }
 
 OpenedWriter openDdsBc5Writer(const BakeHeader& header, const std::filesystem::path& folder) {
@@ -98,7 +98,7 @@ OpenedWriter openDdsBc5Writer(const BakeHeader& header, const std::filesystem::p
 }
 
 OpenedWriter openDdsVolumeWriter(const BakeHeader& header, const std::filesystem::path& folder) {
-  return openDds(header, folder, {TextureFormat::Rg16f, TextureShape::Volume, "flow-volume"});
+  return openDds(header, folder, {TextureFormat::Rg16f, TextureShape::Volume, "wind-volume"});
 }
 
 }  // namespace windloom

@@ -125,11 +125,11 @@ std::string ktx2Warning(const BakeHeader& header) {
 }
 
 OpenedWriter openKtx2Writer(const BakeHeader& header, const std::filesystem::path& folder) {
-  return openKtx2(header, folder, {TextureFormat::Rg16f, Supercompression::None, "flow"});
+  return openKtx2(header, folder, {TextureFormat::Rg16f, Supercompression::None, "wind"});
 }
 
 OpenedWriter openKtx2RgbaWriter(const BakeHeader& header, const std::filesystem::path& folder) {
-  return openKtx2(header, folder, {TextureFormat::Rgba16f, Supercompression::None, "flow-rgba"});
+  return openKtx2(header, folder, {TextureFormat::Rgba16f, Supercompression::None, "wind-rgba"});
 }
 
 OpenedWriter openKtx2Bc5Writer(const BakeHeader& header, const std::filesystem::path& folder) {
@@ -137,7 +137,7 @@ OpenedWriter openKtx2Bc5Writer(const BakeHeader& header, const std::filesystem::
 }
 
 OpenedWriter openKtx2ZstdWriter(const BakeHeader& header, const std::filesystem::path& folder) {
-  return openKtx2(header, folder, {TextureFormat::Rg16f, Supercompression::Zstd, "flow-zstd"});
+  return openKtx2(header, folder, {TextureFormat::Rg16f, Supercompression::Zstd, "wind-zstd"});
 }
 
 }  // namespace windloom

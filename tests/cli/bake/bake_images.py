@@ -51,19 +51,20 @@ class BakedImages(harness.Case):
             self.assertTrue((numpy.abs(codes[layer] - exact[layer]) <= bound).all(), what)
         self.assertLess(numpy.abs(codes - exact).mean(), 1.0, what)
 
-    def check_textures(self, out, image, full_scale, stem="flow"):
+    def check_textures(self, out, image, full_scale, track=""):
         frames, height, width = image.shape[:3]
         rgba = numpy.concatenate([image, lengths_of(image)[..., None], numpy.ones(image.shape[:3] + (1,))], axis=3)
         expected = {"": (image, 34, 83), "-rgba": (rgba, 10, 97), "-volume": (image, 34, None),
                     "-zstd": (image, None, 83), "-bc5": (None, 83, 141)}
         for suffix, (texels, dxgi, vulkan) in expected.items():
+            name = track + ("flow" if suffix == "-bc5" else "wind") + suffix
             if dxgi:
-                facts, found = read_dds(out / f"{stem}{suffix}.dds")
+                facts, found = read_dds(out / f"{name}.dds")
                 self.assertEqual(facts, {"dxgi": dxgi, "volume": suffix == "-volume", "slices": frames,
                                          "size": (width, height)})
                 self.check_texels(found, texels, image, full_scale, suffix)
             if vulkan:
-                facts, texts, found = read_ktx2(out / f"{stem}{suffix}.ktx2")
+                facts, texts, found = read_ktx2(out / f"{name}.ktx2")
                 self.assertEqual(facts, {"format": vulkan, "layers": frames if frames > 1 else 0,
                                          "size": (width, height), "scheme": 2 if suffix == "-zstd" else 0})
                 self.assertEqual(texts["KTXorientation"], "rd")
@@ -153,12 +154,12 @@ class BakedImages(harness.Case):
                 ("wind.0003.exr", "half", {"frame": 3, "channels": "RGB", "units": "cm/s"}),
                 ("flow16.0001.png", "unorm16", {"frame": 1, "units": "cm/s"}),
                 ("flow-atlas.png", "unorm8", {"layout": "atlas", "frames": 4, "tiles": [2, 2]}),
-                ("flow.dds", "half", {"layout": "array", "frames": 4, "channels": "RG", "units": "cm/s"}),
-                ("flow-rgba.dds", "half", {"layout": "array", "channels": "RGBA"}),
+                ("wind.dds", "half", {"layout": "array", "frames": 4, "channels": "RG", "units": "cm/s"}),
+                ("wind-rgba.dds", "half", {"layout": "array", "channels": "RGBA"}),
                 ("flow-bc5.dds", "bc5", {"layout": "array", "channels": "RG"}),
-                ("flow-volume.dds", "half", {"layout": "volume", "frames": 4}),
-                ("flow.ktx2", "half", {"layout": "array", "frames": 4}),
-                ("flow-zstd.ktx2", "half", {"layout": "array"})):
+                ("wind-volume.dds", "half", {"layout": "volume", "frames": 4}),
+                ("wind.ktx2", "half", {"layout": "array", "frames": 4}),
+                ("wind-zstd.ktx2", "half", {"layout": "array"})):
             entry = self.entry(manifest, path)
             self.assertEqual((entry["role"], entry["encoding"], entry["sha256"]),
                              ("flow", encoding, harness.sha256(out / path)))
@@ -175,7 +176,7 @@ class BakedImages(harness.Case):
                 bend = numpy.load(out / f"{track}-wind.npy")
                 self.assertGreater(numpy.abs(bend).max(), 0.001)
                 image = image_of(bend, "unity", "world")
-                self.check_textures(out, image, 1.5, f"{track}-flow")
+                self.check_textures(out, image, 1.5, f"{track}-")
                 attributes, picture = read_exr(out / f"{track}-wind.0002.exr")
                 self.assert_halves(picture["R"], image[2, ..., 0], track)
                 self.assert_halves(picture["G"], image[2, ..., 1], track)
@@ -206,7 +207,7 @@ class BakedImages(harness.Case):
         codes = read_png16(out / "flow16.0000.png")
         numpy.testing.assert_allclose((codes[..., :2] - 32768) / 32767 * 3, cut[0], atol=0.51 / 32767 * 3)
         self.assert_codes(read_dds(out / "flow-bc5.dds")[1], cut, 3, "bc5")
-        self.assert_halves(read_dds(out / "flow.dds")[1], wind, "halves have no scale")
+        self.assert_halves(read_dds(out / "wind.dds")[1], wind, "halves have no scale")
 
     def test_parts_of_a_recording_have_the_bytes_of_the_whole(self):
         whole = self.bake("--seconds", 0.5, "--fps", 10, "--vmax", 12, out="whole", formats="exr,png16")
@@ -241,12 +242,12 @@ class BakedImages(harness.Case):
         done = self.call("bake", self.project, "--backend", "cpu", "--out", self.folder / "long", "--format", "ktx2",
                          "--seconds", 2.049, "--fps", 1000, "--resolution", "1x1")
         self.assertIn("2048 layers", done.stderr)
-        self.assertEqual(read_ktx2(self.folder / "long" / "flow.ktx2")[0]["layers"], 2049)
+        self.assertEqual(read_ktx2(self.folder / "long" / "wind.ktx2")[0]["layers"], 2049)
 
     def test_the_largest_array_and_volume_are_written(self):
         out = self.bake("--seconds", 2.048, "--fps", 1000, "--resolution", "3x2", formats="npy,dds,dds-volume,dds-bc5")
         wind = numpy.load(out / "wind.npy").astype(float)
-        for name in ("flow.dds", "flow-volume.dds"):
+        for name in ("wind.dds", "wind-volume.dds"):
             facts, found = read_dds(out / name)
             self.assertEqual(facts["slices"], 2048)
             self.assert_halves(found, wind, name)
