@@ -6,7 +6,7 @@ namespace {
 
 class NpyWriter final : public FrameWriter {
  public:
-  NpyWriter(std::string name, NpyStream stream) : m_name(std::move(name)), m_stream(std::move(stream)) {}
+  NpyWriter(NpyStream stream, std::string name) : m_stream(std::move(stream)), m_name(std::move(name)) {}
 
   Status add(int, std::span<const glm::vec2> cells) override {
     static_assert(sizeof(glm::vec2) == 2 * sizeof(float));
@@ -19,8 +19,8 @@ class NpyWriter final : public FrameWriter {
   }
 
  private:
-  std::string m_name;
   NpyStream m_stream;
+  std::string m_name;
 };
 
 }  // namespace
@@ -32,7 +32,7 @@ Result<std::unique_ptr<FrameWriter>> openNpyWriter(const BakeHeader& header, con
   const std::string name = stemOf(header.track, "wind") + ".npy";
   Result<NpyStream> stream = NpyStream::create(folder / name, shape);
   if (!stream) return stream.error();
-  return std::unique_ptr<FrameWriter>(std::make_unique<NpyWriter>(name, std::move(*stream)));
+  return std::unique_ptr<FrameWriter>(std::make_unique<NpyWriter>(std::move(*stream), name));
 }
 
 }  // namespace windloom
