@@ -11,4 +11,31 @@ OpenedWriter openNpyWriter(const BakeHeader& header, const std::filesystem::path
 OpenedWriter openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder);
 
+OpenedWriter openExrWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openPng16Writer(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openAtlasWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openDdsWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openDdsRgbaWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openDdsBc5Writer(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openDdsVolumeWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openKtx2Writer(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openKtx2RgbaWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openKtx2Bc5Writer(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openKtx2ZstdWriter(const BakeHeader& header, const std::filesystem::path& folder);
+
+// What they write, for sizes beforehand.
+std::uint64_t exrBytes(const BakeHeader& header);  ///< at most
+std::uint64_t ddsBytes(const BakeHeader& header);
+std::uint64_t ddsRgbaBytes(const BakeHeader& header);
+std::uint64_t ddsBc5Bytes(const BakeHeader& header);
+std::uint64_t ktx2Bytes(const BakeHeader& header);
+std::uint64_t ktx2RgbaBytes(const BakeHeader& header);
+std::uint64_t ktx2Bc5Bytes(const BakeHeader& header);
+
+// Why they can't (WriterKind::refusal) or what is good to know (WriterKind::warning).
+std::string atlasRefusal(const BakeHeader& header);
+std::string ddsArrayRefusal(const BakeHeader& header);
+std::string ddsVolumeRefusal(const BakeHeader& header);
+std::string ktx2Warning(const BakeHeader& header);
+
 }  // namespace windloom
