@@ -11,4 +11,11 @@ OpenedWriter openNpyWriter(const BakeHeader& header, const std::filesystem::path
 OpenedWriter openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder);
 
+OpenedWriter openFgaWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openFgaTilesWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openVfWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openVf2Writer(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openVdbWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openSlabWriter(const BakeHeader& header, const std::filesystem::path& folder);
+
 }  // namespace windloom
