@@ -10,19 +10,37 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+Point point(Id id, glm::vec2 position, const char* name = "") {
+  Point made;
+  made.id = id;
+  made.name = name;
+  made.position = position;
+  return made;
+}
+
+Arrow arrow(Id id, Id from, Id to) {
+  Arrow made;
+  made.id = id;
+  made.from = from;
+  made.to = to;
+  made.travelSpeed = 2;
+  return made;
+}
+
 /// Two trees that merge in point 5, which the nearer root reaches first; a tip behind it.
 Project merging() {
   Project project;
   project.name = "Merge";
   WindGraph graph;
-  graph.points = {{.id = 1, .name = "gate", .position = {0, 0}},
-                  {.id = 2, .position = {20, 0}},
-                  {.id = 5, .position = {4, 0}},
-                  {.id = 6, .position = {4, 8}}};
-  graph.arrows = {{.id = 10, .from = 1, .to = 5, .strength = 9, .travelSpeed = 2},
-                  {.id = 11, .from = 2, .to = 5, .travelSpeed = 2},
-                  {.id = 12, .name = "up", .from = 5, .to = 6, .swirl = 1.5f, .travelSpeed = 2}};
-  graph.signals = {{.root = 1, .kind = SignalKind::Pulse, .period = 3}};
+  graph.points = {point(1, {0, 0}, "gate"), point(2, {20, 0}), point(5, {4, 0}), point(6, {4, 8})};
+  graph.arrows = {arrow(10, 1, 5), arrow(11, 2, 5), arrow(12, 5, 6)};
+  graph.arrows[0].strength = 9;
+  graph.arrows[2].name = "up";
+  graph.arrows[2].swirl = 1.5f;
+  graph.signals.resize(1);
+  graph.signals[0].root = 1;
+  graph.signals[0].kind = SignalKind::Pulse;
+  graph.signals[0].period = 3;
   project.graph = std::make_shared<WindGraph>(graph);
   return project;
 }

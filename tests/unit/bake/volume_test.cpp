@@ -37,7 +37,7 @@ void expectNear(glm::vec3 found, glm::vec3 wanted, float tolerance = kNear) {
 }
 
 // ln(1 + 1 / 0.03) / ln(1 + 2 / 0.03) and the same of 3 m.
-constexpr float kLower = 0.838872f, kUpper = 1.094902f;
+constexpr float kLower = 0.8390172f, kUpper = 1.0950333f;
 
 }  // namespace
 

@@ -57,7 +57,7 @@ TEST(FgaWriter, WritesPlainNumbersInUnrealsOrder) {
   Written out;
   write(out, "fga", header, kField);
   EXPECT_EQ(out.files[0].path, "wind.0007.fga");
-  EXPECT_EQ(out.bytes, "2,1,2,\n0,0,0,\n200,100,200,\n100,0,0,\n-250,0.125,0,\n136.8944,0,0,\n-342.2361,0.1711,0\n");
+  EXPECT_EQ(out.bytes, "2,1,2,\n0,0,0,\n200,100,200,\n100,0,0,\n-250,0.125,0,\n136.9173,0,0,\n-342.2932,0.1711,0\n");
 }
 
 TEST(FgaWriter, AveragesWhatUnrealRefuses) {
