@@ -65,6 +65,7 @@ std::string planKey(const Project& project, Backend backend, const BakeRequest& 
   BakeHeader whole = header;
   whole.first = 0;
   whole.last = whole.frames - 1;
+  whole.fastest = 0;
   whole.fullScale = request.fullScale.value_or(0.0f);
   std::string text = manifestText({whole, {}, request.response, false}, project, backend, {}) + writeProject(project);
   for (const WriterKind* kind : request.formats) text += std::string(kind->name) + ",";

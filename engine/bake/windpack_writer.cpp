@@ -14,8 +14,6 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "numbers go to the file as they lie in memory");
 
-constexpr const char* kFileName = "wind.windpack";
-
 template <class Number>
 void put(std::string& bytes, std::size_t at, Number value) {
   std::memcpy(bytes.data() + at, &value, sizeof value);
@@ -48,7 +46,7 @@ std::string headerBytes(const BakeHeader& header) {
 
 class WindpackWriter final : public FrameWriter {
  public:
-  explicit WindpackWriter(AtomicFile file) : m_file(std::move(file)) {}
+  WindpackWriter(AtomicFile file, std::string name) : m_file(std::move(file)), m_name(std::move(name)) {}
 
   Status write(std::string_view bytes) {
     m_checksum = windloom_checksum(m_checksum, bytes.data(), bytes.size());
@@ -69,11 +67,12 @@ class WindpackWriter final : public FrameWriter {
     if (Status written = write({reinterpret_cast<const char*>(&checksum), sizeof checksum}); !written)
       return written.error();
     if (Status finished = m_file.finish(); !finished) return finished.error();
-    return std::vector<BakedFile>{{kFileName, "field", "half"}};
+    return std::vector<BakedFile>{{m_name, "field", "half"}};
   }
 
  private:
   AtomicFile m_file;
+  std::string m_name;
   std::uint32_t m_checksum = 0;
   std::vector<std::uint16_t> m_halves;
 };
@@ -88,9 +87,9 @@ Result<std::unique_ptr<FrameWriter>> openWindpackWriter(const BakeHeader& header
     return makeError(ErrorKind::BadInput,
                      "a wind pack holds at most 16 GiB and 100,000 frames; bake fewer frames or a lower --resolution");
   }
-  Result<AtomicFile> file = AtomicFile::create(folder / kFileName);
+  Result<AtomicFile> file = AtomicFile::create(folder / (stemOf(header.track, "wind") + ".windpack"));
   if (!file) return file.error();
-  auto writer = std::make_unique<WindpackWriter>(std::move(*file));
+  auto writer = std::make_unique<WindpackWriter>(std::move(*file), stemOf(header.track, "wind") + ".windpack");
   if (Status written = writer->write(headerBytes(header)); !written) return written.error();
   return std::unique_ptr<FrameWriter>(std::move(writer));
 }
