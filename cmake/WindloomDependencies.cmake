@@ -31,6 +31,29 @@ if(NOT TARGET PNG::PNG)
   message(FATAL_ERROR "libpng with its headers is needed (Debian: libpng-dev)")
 endif()
 
+pkg_check_modules(DEFLATE QUIET IMPORTED_TARGET GLOBAL libdeflate)
+if(NOT TARGET PkgConfig::DEFLATE)
+  message(FATAL_ERROR "libdeflate with its headers is needed (Debian: libdeflate-dev)")
+endif()
+
+pkg_check_modules(ZSTD QUIET IMPORTED_TARGET GLOBAL libzstd)
+if(NOT TARGET PkgConfig::ZSTD)
+  message(FATAL_ERROR "libzstd with its headers is needed (Debian: libzstd-dev)")
+endif()
+
+# stb_dxt packs blocks of BC5. Debian's library holds it compiled.
+pkg_check_modules(STB QUIET IMPORTED_TARGET GLOBAL stb)
+if(TARGET PkgConfig::STB)
+  add_library(windloom_stb_dxt ALIAS PkgConfig::STB)
+else()
+  FetchContent_Declare(stb GIT_REPOSITORY https://github.com/nothings/stb.git
+    GIT_TAG 8b5f1f37b5b75829fc72d38e7b5d4bcbf8a26d55)
+  FetchContent_Populate(stb)
+  file(WRITE ${CMAKE_BINARY_DIR}/stb_dxt.c "#define STB_DXT_IMPLEMENTATION\n#include <stb_dxt.h>\n")
+  add_library(windloom_stb_dxt STATIC ${CMAKE_BINARY_DIR}/stb_dxt.c)
+  target_include_directories(windloom_stb_dxt SYSTEM PUBLIC ${stb_SOURCE_DIR})
+endif()
+
 find_package(TinyGLTF QUIET)
 if(TARGET TinyGLTF::TinyGLTF)
   # An imported target can only be aliased where it is seen everywhere.

@@ -28,6 +28,8 @@ Status requireWritable(const BakeRequest& request, const BakeHeader& header) {
   for (const WriterKind* kind : request.formats) {
     if (!kind->missing.empty())
       return makeError(ErrorKind::Machine, std::string(kind->name) + ": " + std::string(kind->missing));
+    if (const std::string refusal = kind->refusal != nullptr ? kind->refusal(header) : ""; !refusal.empty())
+      return makeError(ErrorKind::BadInput, std::string(kind->name) + ": " + refusal);
     if (!kind->numbered) whole += (whole.empty() ? "" : ", ") + std::string(kind->name);
     scale = scale || kind->need == SpeedNeed::Range;
   }

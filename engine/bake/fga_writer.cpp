@@ -8,7 +8,6 @@
 #include <limits>
 
 #include "engine/bake/volume.hpp"
-#include "engine/bake/volume_writers.hpp"
 #include "engine/bake/writers.hpp"
 #include "engine/core/file.hpp"
 

@@ -6,7 +6,6 @@
 
 #include "engine/bake/target_frame.hpp"
 #include "engine/bake/volume.hpp"
-#include "engine/bake/volume_writers.hpp"
 #include "engine/bake/writers.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/text.hpp"

@@ -1,7 +1,6 @@
 // OpenVDB volumes, one file a frame, for renderers, simulations and Unreal's sparse volume textures; in the preset's
 // frame and unit. Readers want cubic voxels, so the field is brought to such.
 
-#include "engine/bake/volume_writers.hpp"
 #include "engine/bake/voxel_field.hpp"
 #include "engine/bake/writers.hpp"
 #include "engine/core/file.hpp"
@@ -15,13 +14,6 @@ namespace {
 std::int64_t voxelsOf(const BakeHeader& header) {
   const glm::ivec3 size = VoxelField::sizeFor(header);
   return std::int64_t{size.x} * size.y * size.z;
-}
-
-std::string tooMany(const BakeHeader& header) {
-  const glm::ivec3 size = VoxelField::sizeFor(header);
-  return "an OpenVDB volume of this field has " + std::to_string(size.x) + " x " + std::to_string(size.y) + " x " +
-         std::to_string(size.z) + " voxels, as cubic as its cells are small; the most is " +
-         std::to_string(kMostVoxels >> 20) + " million: lower the resolution or the height of the volume";
 }
 
 #ifdef WINDLOOM_OPENVDB
@@ -70,12 +62,11 @@ class VdbWriter final : public FrameWriter {
 }  // namespace
 
 OpenedWriter openVdbWriter(const BakeHeader& header, const std::filesystem::path& folder) {
+  if (std::string refusal = vdbRefusal(header); !refusal.empty()) return makeError(ErrorKind::BadInput, refusal);
 #ifdef WINDLOOM_OPENVDB
-  if (voxelsOf(header) > kMostVoxels) return makeError(ErrorKind::BadInput, tooMany(header));
   return std::unique_ptr<FrameWriter>(std::make_unique<VdbWriter>(header, folder));
 #else
   static_cast<void>(folder);
-  if (voxelsOf(header) > kMostVoxels) return makeError(ErrorKind::BadInput, tooMany(header));
   return makeError(ErrorKind::Machine, std::string(kVdbMissing));
 #endif
 }
@@ -85,8 +76,15 @@ std::uint64_t vdbBytesOfBake(const BakeHeader& header) {
   return static_cast<std::uint64_t>(voxelsOf(header)) * 6 * static_cast<std::uint64_t>(header.written());
 }
 
+std::string vdbRefusal(const BakeHeader& header) {
+  if (voxelsOf(header) <= kMostVoxels) return {};
+  const glm::ivec3 size = VoxelField::sizeFor(header);
+  return "with voxels as wide as a cell is, in all directions, this volume has " + std::to_string(size.x) + " x " +
+         std::to_string(size.y) + " x " + std::to_string(size.z) + " of them, the most is " +
+         std::to_string(kMostVoxels >> 20) + " million; lower the resolution or the height of the volume";
+}
+
 std::string vdbWarning(const BakeHeader& header) {
-  if (voxelsOf(header) > kMostVoxels) return tooMany(header);
   const glm::ivec3 size = VoxelField::sizeFor(header);
   const glm::ivec2 cells = header.grid.resolution;
   if (size.x == cells.x && size.z == cells.y) return {};

@@ -6,7 +6,6 @@
 #include <cstring>
 
 #include "engine/bake/volume.hpp"
-#include "engine/bake/volume_writers.hpp"
 #include "engine/bake/writers.hpp"
 #include "engine/core/file.hpp"
 

@@ -57,6 +57,22 @@ Status AtomicFile::write(std::string_view bytes) {
   return Done{};
 }
 
+Status AtomicFile::overwrite(std::uint64_t at, std::string_view bytes) {
+  if (m_descriptor < 0) return failure(EBADF);
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(m_descriptor, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int code = errno;
+      abandon();
+      return failure(code);
+    }
+    at += static_cast<std::uint64_t>(n);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return Done{};
+}
+
 Status AtomicFile::finish() {
   if (m_descriptor < 0) return failure(EBADF);
   int code = ::fsync(m_descriptor) != 0 ? errno : 0;

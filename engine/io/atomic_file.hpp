@@ -22,6 +22,10 @@ class AtomicFile {
   /// Appends. Fails with Machine (disk full); the file is then given up and later calls fail too.
   Status write(std::string_view bytes);
 
+  /// Replaces bytes that were written, `at` bytes from the start: headers of what was not known before. What is written
+  /// later is appended as before. Fails as write() does.
+  Status overwrite(std::uint64_t at, std::string_view bytes);
+
   /// Syncs the file and renames it over `path`. Fails with Machine, leaving an older file as it was.
   Status finish();
 

@@ -54,7 +54,7 @@ class BakeTrouble(harness.Case):
         out = ("--out", self.folder / "out")
         for args, expected in (
                 (("--format", "gif"), "npy, png, windpack"),
-                (("--format", "npy", "--preset", "cryengine"), "generic, unreal, unity, godot"),
+                (("--format", "npy", "--preset", "cryengine"), "generic, unreal, unity, unity-negz, godot"),
                 (("--format", "npy", "--resolution", "12"), "WxH"),
                 (("--format", "npy", "--resolution", "0x5"), "WxH"),
                 (("--format", "npy", "--resolution", "9000x5"), "8192"),

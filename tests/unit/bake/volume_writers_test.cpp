@@ -211,7 +211,7 @@ TEST(VdbWriterLimit, RefusesMoreVoxelsThanFit) {
   const auto writer = writerKindNamed("vdb")->open(header, folder.path());
   ASSERT_FALSE(writer);
   EXPECT_NE(writer.error().text().find("1000 x 80 x 1000"), std::string::npos) << writer.error().text();
-  EXPECT_NE(writerKindNamed("vdb")->warning(header).find("32 million"), std::string::npos);
+  EXPECT_NE(writerKindNamed("vdb")->refusal(header).find("32 million"), std::string::npos);
 }
 
 TEST(VolumeWriters, SayWhenTheDiskDoesNotTakeTheFile) {
