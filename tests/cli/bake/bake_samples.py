@@ -56,7 +56,7 @@ class BakedSamples(harness.Case):
             numpy.testing.assert_allclose((codes[..., :2] - 128) / 127 * full, image[n], atol=full / 253)
             codes = read_png16(out / f"flow16.{n:04}.png")
             numpy.testing.assert_allclose((codes[..., :2].astype(float) - 32768) / 32767 * full, image[n],
-                                          atol=full / 65530)
+                                          atol=full / 65534 * 1.01)  # half a code and the rounding of floats
             self.check_volumes(out, n, wind[n])
         strict((out / "graph.gltf").read_text())
 
