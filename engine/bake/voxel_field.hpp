@@ -9,7 +9,7 @@
 
 namespace windloom {
 
-/// Voxels that a volume may have: about 0.8 GB while it is written.
+/// Voxels that a volume may have: about 1 GB of memory while it is written.
 inline constexpr std::int64_t kMostVoxels = 1 << 25;
 
 class VoxelField {

@@ -287,7 +287,7 @@ class OpenVdb(VolumeCase):
         done = self.call("bake", self.project, "--backend", "cpu", "--out", self.folder / "huge", "--format", "vdb",
                          "--resolution", "1600x1000", "--seconds", 0.1, "--fps", 10, status=1)
         self.assertIn("1600 x 400 x 1000", done.stderr)
-        self.assertEqual(list((self.folder / "huge").iterdir()), [])
+        self.assertFalse((self.folder / "huge").exists())
 
 
 harness.main()

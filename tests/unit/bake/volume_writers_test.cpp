@@ -214,6 +214,23 @@ TEST(VdbWriterLimit, RefusesMoreVoxelsThanFit) {
   EXPECT_NE(writerKindNamed("vdb")->refusal(header).find("32 million"), std::string::npos);
 }
 
+TEST(VolumeWriters, TakeTheSmallestGrids) {
+  for (const char* format : {"fga", "fga-tiles", "vf", "vf2", "vdb", "godot-slab"}) {
+    if (!writerKindNamed(format)->missing.empty()) continue;
+    for (const glm::ivec2 cells : {glm::ivec2(1, 1), glm::ivec2(1, 7), glm::ivec2(5, 1)}) {
+      for (const int layers : {1, 3}) {
+        BakeHeader header = smallHeader();
+        header.grid = makeGridMapping({0, 0}, cells, cells);
+        header.profile.layers = layers;
+        Written out;
+        write(out, format, header, std::vector<glm::vec2>(static_cast<std::size_t>(cells.x * cells.y), glm::vec2(1)));
+        ASSERT_EQ(out.files.size(), 1u) << format;
+        EXPECT_GT(out.bytes.size(), 20u) << format;
+      }
+    }
+  }
+}
+
 TEST(VolumeWriters, SayWhenTheDiskDoesNotTakeTheFile) {
   for (const char* format : {"fga", "fga-tiles", "vf", "vf2", "vdb", "godot-slab"}) {
     if (!writerKindNamed(format)->missing.empty()) continue;
