@@ -43,7 +43,7 @@ class AtlasWriter final : public FrameWriter {
     if (m_column > 0) {
       if (Status written = writeRow(); !written) return written.error();
     }
-    if (Status finished = m_stream.finish(); !finished) return finished.error();
+    if (Status finished = m_stream.finish(Sync::Later); !finished) return finished.error();
     warnOfClipping(m_clipped, m_target, "the atlas");
     return std::vector<BakedFile>{
         {m_name, "flow", "unorm8", {{"layout", "atlas"}, {"frames", m_frames}, {"tiles", {m_tiles.x, m_tiles.y}}}}};

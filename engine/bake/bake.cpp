@@ -150,6 +150,7 @@ class Baker {
     const ManifestFacts facts{m_header, m_seam, m_request.response, project.solver->source == WindSource::Card};
     const std::string text = manifestText(facts, project, m_simulation.solver().backend(), entries);
     if (Status written = writeFileAtomically(m_work / "manifest.json", text); !written) return written;
+    if (Status synced = syncFiles(m_work); !synced) return synced;
     for (const BakedFile& file : files) m_report.files.push_back(file.path);
     const std::size_t frameFiles = m_report.files.size();
     for (const BakedFile& file : extras) m_report.files.push_back(file.path);
@@ -180,6 +181,7 @@ class Baker {
   Status finishPart(std::vector<std::vector<Json>> groups) {
     const std::string key = planKey(m_simulation.project(), m_simulation.solver().backend(), m_request, m_header);
     const fs::path parts = partsFolder(m_request.folder, key);
+    if (Status synced = syncFiles(m_work); !synced) return synced;
     Result<FolderLock> lock = FolderLock::take(m_request.folder);
     if (!lock) return lock.error();
     if (Status made = makeFolder(parts); !made) return made;

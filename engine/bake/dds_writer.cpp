@@ -25,7 +25,7 @@ class DdsWriter final : public FrameWriter {
   Status add(int, std::span<const glm::vec2> cells) override { return m_file.write(m_pixels.of(cells)); }
 
   Result<std::vector<BakedFile>> finish() override {
-    if (Status finished = m_file.finish(); !finished) return finished.error();
+    if (Status finished = m_file.finish(Sync::Later); !finished) return finished.error();
     m_pixels.warn();
     return std::vector<BakedFile>{{m_name,
                                    "flow",

@@ -152,7 +152,7 @@ Status ExrWriter::write(const std::filesystem::path& path, const ExrAttributes& 
   for (const std::string& block : m_state->blocks) {
     if (Status written = file->write(block); !written) return written;
   }
-  return file->finish();
+  return file->finish(Sync::Later);
 }
 
 }  // namespace windloom

@@ -69,7 +69,7 @@ class Ktx2Writer final : public FrameWriter {
       if (Status packed = m_zstd->finish(); !packed) return packed.error();
       if (Status written = m_file.overwrite(0, ktx2Header(m_texture, m_stored)); !written) return written.error();
     }
-    if (Status finished = m_file.finish(); !finished) return finished.error();
+    if (Status finished = m_file.finish(Sync::Later); !finished) return finished.error();
     m_pixels.warn();
     return std::vector<BakedFile>{{m_name,
                                    "flow",

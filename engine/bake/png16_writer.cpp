@@ -39,7 +39,7 @@ class Png16Writer final : public FrameWriter {
     auto png = PngStream<std::uint16_t>::create(path, m_resolution.x, m_resolution.y, PngEffort::Quick);
     if (!png) return png.error();
     if (Status written = png->write(m_samples); !written) return written;
-    return png->finish();
+    return png->finish(Sync::Later);
   }
 
   Track m_track;

@@ -6,8 +6,8 @@
 #include "engine/bake/fill_template.hpp"
 #include "engine/bake/response.hpp"
 #include "engine/bake/target_frame.hpp"
-#include "engine/core/file.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/atomic_file.hpp"
 #include "engine/io/sha256.hpp"
 
 namespace windloom {
@@ -83,7 +83,7 @@ class Sidecars {
 
   Status put(const std::string& name, const std::string& text) {
     m_written.push_back({name, "sidecar", "text"});
-    return writeFileAtomically(m_folder / name, text);
+    return writeFileUnsynced(m_folder / name, text);
   }
 
   /// Tells bakes of one project from each other, so that two may lie in one game.

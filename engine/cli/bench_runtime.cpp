@@ -1,34 +1,17 @@
 #include "engine/bake/frame_writer.hpp"
 #include "engine/cli/bench.hpp"
 #include "engine/cli/bench_timing.hpp"
+#include "engine/cli/scratch_folder.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/hash.hpp"
 #include "engine/runtime/windloom_runtime.hpp"
 
-#include <unistd.h>
-
 namespace windloom::cli {
-namespace fs = std::filesystem;
 namespace {
-
-/// A folder that goes with its scene.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "windloom-bench-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) path = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    if (!path.empty()) fs::remove_all(path, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
 
 /// A pack as a bake writes it, filled with noise.
 Result<std::string> packBytes(int side, int frames) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   BakeHeader header;
   header.grid = makeGridMapping({0, 0}, {100, 100}, {side, side});
   header.frames = frames;

@@ -10,6 +10,10 @@
 
 namespace windloom {
 
+/// Whether a finished file must survive a loss of power at once. Later: whoever makes many files syncs them together
+/// before they count, which is much quicker.
+enum class Sync { Now, Later };
+
 class AtomicFile {
  public:
   /// Opens a temporary file in the folder of `path`, which must exist. Fails with Machine.
@@ -27,7 +31,7 @@ class AtomicFile {
   Status overwrite(std::uint64_t at, std::string_view bytes);
 
   /// Syncs the file and renames it over `path`. Fails with Machine, leaving an older file as it was.
-  Status finish();
+  Status finish(Sync sync = Sync::Now);
 
  private:
   AtomicFile() = default;
@@ -38,5 +42,8 @@ class AtomicFile {
   std::string m_temporary;
   int m_descriptor = -1;
 };
+
+/// A whole file, as AtomicFile writes it, for Sync::Later.
+Status writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace windloom

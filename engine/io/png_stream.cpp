@@ -9,7 +9,6 @@
 #include <string>
 
 #include "engine/core/contract.hpp"
-#include "engine/io/atomic_file.hpp"
 
 namespace windloom {
 namespace {
@@ -133,10 +132,10 @@ Status PngStream<Sample>::write(std::span<const Sample> rows) {
 }
 
 template <class Sample>
-Status PngStream<Sample>::finish() {
+Status PngStream<Sample>::finish(Sync sync) {
   WL_REQUIRE(m_state->rowsLeft == 0, "a picture is finished after its last row");
   if (!m_state->end()) return m_state->failure();
-  return m_state->target.file.finish();
+  return m_state->target.file.finish(sync);
 }
 
 template class PngStream<std::uint8_t>;

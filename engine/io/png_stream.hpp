@@ -7,6 +7,7 @@
 #include <span>
 
 #include "engine/core/result.hpp"
+#include "engine/io/atomic_file.hpp"
 
 namespace windloom {
 
@@ -28,7 +29,7 @@ class PngStream {
   Status write(std::span<const Sample> rows);
 
   /// After the last row: the file appears under its name. Fails with Machine.
-  Status finish();
+  Status finish(Sync sync = Sync::Now);
 
  private:
   struct State;
