@@ -56,6 +56,7 @@ class Game {
   std::unique_ptr<Scene> m_scene;
   std::optional<World> m_world;
   std::optional<Camera> m_camera;
+  Bounds m_ground;  // that world and scene were made for
   Quality m_quality = kQuick;
   std::string m_note;
   double m_noteUntil = 0, m_titleAt = 0, m_begin = 0;
@@ -150,6 +151,7 @@ void Game::onKey(int key) {
 /// A new world from the seed, at the time that was asked for.
 void Game::restart() {
   m_wind.restart(m_options.time);
+  m_ground = m_wind.bounds();
   m_world.emplace(
       World{Leaves(kLeaves, m_options.seed, m_wind), Flags(kFlags, m_wind), Streaks(kStreaks, m_options.seed, m_wind)});
   m_scene = std::make_unique<Scene>(m_wind, *m_world, m_options.seed);
@@ -160,9 +162,8 @@ void Game::restart() {
 
 /// New wind is taken over where leaves and flags are; only wind over other ground needs another world.
 void Game::followWind(double now) {
-  const Bounds before = m_wind.bounds();
   m_wind.update(now);
-  if (!(m_wind.bounds() == before)) {
+  if (!(m_wind.bounds() == m_ground)) {
     m_camera.reset();
     restart();
   }

@@ -3,9 +3,9 @@
 // itself while it runs. The rest of the game asks for the wind at places and doesn't know which. Copy this into your
 // game first.
 
-#include <windloom_runtime.h>
+#include <windloom_runtime.hpp>
 
-#include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -64,20 +64,18 @@ class WindSource {
   bool openFile();
   bool openLive();
   void updateFile(double now);
-  void updateLive();
-  const windloom_pack* pack() const { return windloom_follow_pack(m_follow.get()); }
+  void updateLive(double now);
+  windloom::runtime::WindView pack() const { return m_file->pack(); }
 
-  struct Close {
-    void operator()(windloom_follow* follow) const { windloom_follow_close(follow); }
-    void operator()(windloom_live* live) const { windloom_live_close(live); }
-  };
-  std::unique_ptr<windloom_follow, Close> m_follow;
-  std::unique_ptr<windloom_live, Close> m_live;
+  std::optional<windloom::runtime::FollowedPack> m_file;
+  windloom::runtime::LiveField m_live;
   windloom_info m_info{};
-  std::string m_file, m_liveName, m_problem, m_note;
-  double m_time = 0, m_nextLook = 0;
+  std::string m_path, m_liveName, m_problem, m_note;
+  double m_time = 0, m_nextLook = 0, m_nextLiveLook = 0;
   int m_reloads = 0, m_fields = 0;
-  bool m_isLive = false;
+  bool m_isLive = false;     // the wind comes from the editor
+  bool m_wantsLive = false;  // and should, as soon as there is one
+  bool m_liveEnded = false;  // m_live is what the last editor left
 };
 
 }  // namespace game
