@@ -12,7 +12,7 @@ class Camera {
   explicit Camera(const Bounds& field)
       : m_target{(field.minX + field.maxX) / 2, 0, (field.minZ + field.maxZ) / 2},
         m_size(std::max(field.width(), field.depth())),
-        m_distance(0.72f * m_size) {
+        m_distance(0.70f * m_size) {
     m_target.z += 0.05f * m_size;
     m_target.y = 0.025f * m_size;
   }
@@ -34,7 +34,7 @@ class Camera {
  private:
   Vec3 m_target;
   float m_size, m_distance;
-  float m_yaw = -0.42f, m_pitch = 0.2f;  // rad
+  float m_yaw = -0.42f, m_pitch = 0.25f;  // rad
 };
 
 }  // namespace game

@@ -5,7 +5,7 @@ namespace game {
 namespace {
 
 constexpr float kMarkEvery = 0.055f;           // s between two points of a trail
-constexpr float kFaint = 3.0f, kClear = 8.5f;  // m/s: slower air is not shown, faster air shown in full
+constexpr float kFaint = 2.4f, kClear = 6.5f;  // m/s: slower air is not shown, faster air shown in full
 
 float smoothstep(float low, float high, float value) {
   const float part = std::clamp((value - low) / (high - low), 0.0f, 1.0f);
