@@ -68,7 +68,7 @@ std::vector<HillCorner> hills(std::uint32_t seed) {
       for (int side = 0; side < 2; ++side) {
         const float angle = 2 * kPi * static_cast<float>(i + side) / kPieces;
         const float top = mix(layer.low, layer.high, ridge(angle, phase));
-        quad[side] = {around(angle, -0.02f), layer.colour, std::min(layer.haze + 0.25f, 1.0f)};
+        quad[side] = {around(angle, -0.004f), layer.colour, 1};  // out of the mist
         quad[side + 2] = {around(angle, top), layer.colour, layer.haze};
       }
       corners.insert(corners.end(), {quad[0], quad[1], quad[2], quad[2], quad[1], quad[3]});

@@ -69,8 +69,10 @@ void Meadow::growBlades(const Bounds& bounds, std::uint32_t seed) {
   std::vector<float> grown;
   grown.reserve(kBlades * 4);
   while (grown.size() < kBlades * 4) {
-    const float x = mix(bounds.minX, bounds.maxX, random.between(-0.18f, 1.18f));
-    const float z = mix(bounds.minZ, bounds.maxZ, random.between(-0.18f, 1.18f));
+    // Thinner towards the rim, where the meadow goes over into plain ground.
+    const float beyond = 0.35f * random.unit() * random.unit();
+    const float x = mix(bounds.minX, bounds.maxX, random.between(-beyond, 1 + beyond));
+    const float z = mix(bounds.minZ, bounds.maxZ, random.between(-beyond, 1 + beyond));
     const int tuft = static_cast<int>(random.between(3, 9));
     const float tall = random.between(0.3f, 0.7f) * scale;
     for (int i = 0; i < tuft && grown.size() < kBlades * 4; ++i) {

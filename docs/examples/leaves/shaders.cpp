@@ -150,7 +150,7 @@ void main() {
   vec3 base = meadowColour(blade.xy, speed);
   float lit = 1.0 - 0.8 * textureLod(shadowMap, (blade.xy - mask.xy) / mask.zw, 0.0).r;
   float through = pow(max(dot(normalize(at - eye), toSun), 0.0), 3.0);  // sun through the blade
-  vec3 light = kSun * (0.30 + 0.35 * far + 0.8 * through) * lit + kSkyLight;
+  vec3 light = kSun * (0.38 + 0.35 * far + 0.8 * through) * lit + kSkyLight;
   colour = base * mix(0.6, 1.35 + 0.6 * blade.w, level) * light;
   colour = toScreen(hazed(colour, at));
   gl_Position = viewProjection * vec4(at, 1.0);
