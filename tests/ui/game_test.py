@@ -11,16 +11,14 @@ import re
 import subprocess
 import sys
 import tempfile
-import time
 
 import numpy
 
 from editor_driver import check, display, run
+from game_driver import SMALL, Running, fact, play, read_leaves
 
 GAME, WINDLOOM, MEADOW = sys.argv[1:4]
-PATIENCE_S = 60
 FPS = 10
-SMALL = ["--size", "480x270"]
 
 
 def bake(folder, out, *arguments):
@@ -37,12 +35,6 @@ def bake(folder, out, *arguments):
     return packs[0]
 
 
-def play(environment, *arguments, status=0):
-    done = subprocess.run([GAME, *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=300)
-    check(done.returncode == status, f"{arguments} ended with {done.returncode}: {done.stdout[-500:]}{done.stderr}")
-    return done
-
-
 def read_picture(file):
     """Rows of RGB, by ImageMagick rather than by our own reading of PNG."""
     size = subprocess.run(["identify", "-format", "%w %h", str(file)], capture_output=True, text=True, check=True).stdout
@@ -51,30 +43,15 @@ def read_picture(file):
     return numpy.frombuffer(raw, numpy.uint8).reshape(height, width, 3).astype(float)
 
 
-def read_leaves(text):
-    """Start, drift and number of jumps of each leaf."""
-    number = r"(-?[\d.]+)"
-    rows = re.findall(rf"^leaf \d+ start {number} {number} end {number} {number} drift {number} {number} jumps (\d+)$", text, re.M)
-    check(len(rows) > 300, f"several hundred leaves expected, found {len(rows)}")
-    table = numpy.array(rows, float)
-    return table[:, 0:2], table[:, 2:4], table[:, 4:6], table[:, 6]
-
-
-def fact(text, name):
-    found = re.search(rf"^{name} (.*)$", text, re.M)
-    check(found is not None, f"no '{name}' in what the game printed:\n{text[-300:]}")
-    return found.group(1)
-
-
 def check_pictures(environment, folder, pack):
     windy, calm, again = (folder / name for name in ("windy.png", "calm.png", "again.png"))
     # Calm: the first moments of the project, before the gust has left the root.
     still = bake(folder, "calm", "--from", "0", "--seconds", "0.3")
-    play(environment, pack, "--time", "2", "--frames", "60", "--screenshot", windy, *SMALL)
-    first = play(environment, pack, "--time", "2", "--frames", "60", "--screenshot", again, "--print", *SMALL)
-    play(environment, still, "--frames", "60", "--screenshot", calm, *SMALL)
+    play(GAME, environment, pack, "--time", "2", "--frames", "60", "--screenshot", windy, *SMALL)
+    first = play(GAME, environment, pack, "--time", "2", "--frames", "60", "--screenshot", again, "--print", *SMALL)
+    play(GAME, environment, still, "--frames", "60", "--screenshot", calm, *SMALL)
     check(windy.read_bytes() == again.read_bytes(), "the same seed, time and frames must give the same picture")
-    second = play(environment, pack, "--time", "2", "--frames", "60", "--print", "--seed", "2", *SMALL)
+    second = play(GAME, environment, pack, "--time", "2", "--frames", "60", "--print", "--seed", "2", *SMALL)
     check(first.stdout != second.stdout, "another seed must give other leaves")
 
     picture = read_picture(windy)
@@ -116,7 +93,7 @@ def wind_along(arrays, places, first, seconds):
 def check_drift(environment, pack):
     """Leaves near arrows with wind go where the recording blows, and mostly where the artist drew."""
     seconds, begin = 2.5, 1.5
-    done = play(environment, pack, "--time", begin, "--frames", int(seconds * 30), "--print", *SMALL)
+    done = play(GAME, environment, pack, "--time", begin, "--frames", int(seconds * 30), "--print", *SMALL)
     starts, ends, drifts, jumps = read_leaves(done.stdout)
     stayed = jumps == 0
     check(numpy.abs(ends[stayed] - starts[stayed] - drifts[stayed]).max() < 0.01, "drift must be end - start")
@@ -150,55 +127,16 @@ def check_refusals(environment, folder, pack):
         file = folder / f"{name}.windpack"
         if content is not None:
             file.write_bytes(content)
-        done = play(environment, file, "--frames", "5", status=1)
+        done = play(GAME, environment, file, "--frames", "5", status=1)
         check(file.name in done.stderr and len(done.stderr.split(":")[-1].strip()) > 15,
               f"{name}: the message must name file and reason: {done.stderr}")
         check(done.stderr.count("\n") == 1, f"{name}: one line will do: {done.stderr}")
-    check(play(environment, "--live", "no-such-editor", "--frames", "5", status=1).stderr != "", "no editor, no file: a reason")
-    done = play(environment, pack, "--live", "no-such-editor", "--frames", "5", "--print", *SMALL)
+    check(play(GAME, environment, "--live", "no-such-editor", "--frames", "5", status=1).stderr != "", "no editor, no file: a reason")
+    done = play(GAME, environment, pack, "--live", "no-such-editor", "--frames", "5", "--print", *SMALL)
     check(fact(done.stdout, "source") == "file" and "no-such-editor" in done.stderr, f"no fall-back: {done.stderr}")
     for arguments in ([], [pack, "--frames", "x"], [pack, "--size", "12"], [pack, "--nonsense"], [pack, pack]):
-        check("usage" in play(environment, *arguments, status=2).stderr, f"{arguments}: usage expected")
-    check("usage" in play(environment, "--help").stdout, "help expected")
-
-
-class Running:
-    """The game in the background, driven by keys."""
-
-    def __init__(self, environment, log, *arguments):
-        self.environment = environment
-        self.log = log
-        with open(log, "w") as told:
-            self.process = subprocess.Popen([GAME, *map(str, arguments)], env=environment, text=True,
-                                            stdout=subprocess.PIPE, stderr=told)
-        self.window = self.xdotool("search", "--sync", "--onlyvisible", "--pid", self.process.pid).split()[0]
-        self.xdotool("windowfocus", "--sync", self.window)
-
-    def xdotool(self, *arguments):
-        return subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, capture_output=True, text=True,
-                              check=True, timeout=PATIENCE_S).stdout
-
-    def told(self):
-        return self.log.read_text()
-
-    def title(self):
-        return self.xdotool("getwindowname", self.window).strip()
-
-    def wait(self, what, condition):
-        end = time.monotonic() + PATIENCE_S
-        while not condition():
-            check(self.process.poll() is None, f"the game ended while waiting for {what}: {self.told()}")
-            check(time.monotonic() < end, f"waited in vain for {what}; title '{self.title()}', said: {self.told()}")
-            time.sleep(0.05)
-
-    def wait_told(self, text):
-        self.wait(f"'{text}'", lambda: text in self.told())
-
-    def end(self):
-        self.xdotool("key", "Escape")
-        text, _ = self.process.communicate(timeout=PATIENCE_S)
-        check(self.process.returncode == 0, f"Escape must end the game with 0: {self.told()}")
-        return text
+        check("usage" in play(GAME, environment, *arguments, status=2).stderr, f"{arguments}: usage expected")
+    check("usage" in play(GAME, environment, "--help").stdout, "help expected")
 
 
 def replace(target, content):
@@ -212,7 +150,7 @@ def check_following(environment, folder, pack):
     other = bake(folder, "other", "--from", "5", "--seconds", "0.5").read_bytes()
     file = folder / "followed.windpack"
     file.write_bytes(pack.read_bytes())
-    game = Running(environment, folder / "followed.log", file, "--print", *SMALL)
+    game = Running(GAME, environment, folder / "followed.log", file, "--print", *SMALL)
     try:
         game.wait("a title with file and frames", lambda: re.search(r"followed\.windpack \| [1-9]\d* fps", game.title()))
         replace(file, other)
@@ -222,11 +160,11 @@ def check_following(environment, folder, pack):
         game.wait_told("Kept the wind")
         replace(file, pack.read_bytes())
         game.wait("the second new wind", lambda: game.told().count("New wind from") == 2)
-        game.xdotool("key", "space")
+        game.key("space")
         game.wait("the pause", lambda: "paused" in game.title())
-        game.xdotool("key", "l")
+        game.key("l")
         game.wait_told("Live wind")
-        game.xdotool("key", "r", "space")
+        game.key("r", "space")
         game.wait("the end of the pause", lambda: "paused" not in game.title())
         text = game.end()
     finally:
