@@ -23,7 +23,7 @@ using namespace game;
 constexpr float kStep = 1.0f / 60;     // s; leaves and flags move in steps of this, however fast frames are drawn
 constexpr int kStepsUnattended = 2;    // a frame, where nobody watches and every run must be the same
 constexpr double kLongestFrame = 0.1;  // s; after a longer one the world goes slower rather than ever further behind
-constexpr int kLeaves = 800, kFlags = 9, kStreaks = 1100;
+constexpr int kLeaves = 800, kFlags = 9, kStreaks = 1800;
 constexpr Quality kBest{1, 4}, kQuick{0.1f, 1};  // quick is for software renderers
 constexpr float kFewestBlades = 0.03f;
 

@@ -5,6 +5,7 @@ namespace game {
 namespace {
 
 using windloom::runtime::LiveField;
+using windloom::runtime::WindPack;
 
 constexpr double kLookEvery = 0.25;     // s; looking at the file costs microseconds, an artist waits gladly this long
 constexpr double kLookLiveEvery = 1.0;  // s, for an editor where there was none
@@ -30,9 +31,14 @@ bool WindSource::open(const std::string& file, const std::string& liveName, bool
 
 bool WindSource::openFile() {
   if (!m_file) m_file.emplace(m_path);
-  if (!m_file->pack()) m_file->poll();
-  if (!m_file->pack()) {
-    m_problem = m_path + ": " + windloom_status_text(m_file->status());
+  if (!pack()) m_file->poll();
+  windloom_status status = m_file->status();
+  if (!pack() && status == WINDLOOM_NOT_HERE) {
+    m_whole = WindPack::load(m_path);
+    status = m_whole.status();
+  }
+  if (!pack()) {
+    m_problem = m_path + ": " + windloom_status_text(status);
     return false;
   }
   m_info = pack().info();

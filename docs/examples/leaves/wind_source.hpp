@@ -65,9 +65,10 @@ class WindSource {
   bool openLive();
   void updateFile(double now);
   void updateLive(double now);
-  windloom::runtime::WindView pack() const { return m_file->pack(); }
+  windloom::runtime::WindView pack() const { return m_whole ? m_whole.view() : m_file->pack(); }
 
   std::optional<windloom::runtime::FollowedPack> m_file;
+  windloom::runtime::WindPack m_whole;  // instead, on systems where files can't be followed
   windloom::runtime::LiveField m_live;
   windloom_info m_info{};
   std::string m_path, m_liveName, m_problem, m_note;
