@@ -10,6 +10,9 @@ using windloom::runtime::WindPack;
 constexpr double kLookEvery = 0.25;     // s; looking at the file costs microseconds, an artist waits gladly this long
 constexpr double kLookLiveEvery = 1.0;  // s, for an editor where there was none
 
+// A bake of the plants' response has packs of the same form.
+constexpr const char* kNoWind = "This pack tells how plants lean, not how the wind blows.";
+
 /// The file's name without its folders.
 std::string baseName(const std::string& path) {
   const auto slash = path.find_last_of("/\\");
@@ -39,6 +42,10 @@ bool WindSource::openFile() {
   }
   if (!pack()) {
     m_problem = m_path + ": " + windloom_status_text(status);
+    return false;
+  }
+  if (pack().info().quantity != 0) {
+    m_problem = m_path + ": " + kNoWind;
     return false;
   }
   m_info = pack().info();
@@ -76,7 +83,7 @@ void WindSource::updateFile(double now) {
   if (change <= 0) return;
   ++m_reloads;
   if (!m_isLive) m_info = pack().info();
-  m_note = "New wind from " + baseName(m_path);
+  m_note = pack().info().quantity == 0 ? "New wind from " + baseName(m_path) : kNoWind;
 }
 
 void WindSource::updateLive(double now) {
