@@ -1,11 +1,10 @@
 #include "engine/bake/frame_writer.hpp"
 #include "engine/cli/bench.hpp"
 #include "engine/cli/bench_timing.hpp"
+#include "engine/cli/scratch_folder.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/hash.hpp"
 #include "engine/runtime/windloom_runtime.hpp"
-
-#include <unistd.h>
 
 #include <cstring>
 #include <functional>
@@ -15,23 +14,8 @@ namespace windloom::cli {
 namespace fs = std::filesystem;
 namespace {
 
-/// A folder that goes with its scene.
-struct Scratch {
-  fs::path path;
-  Scratch() {
-    std::string name = (fs::temp_directory_path() / "windloom-bench-XXXXXX").string();
-    if (::mkdtemp(name.data()) != nullptr) path = name;
-  }
-  ~Scratch() {
-    std::error_code ignored;
-    if (!path.empty()) fs::remove_all(path, ignored);
-  }
-  Scratch(const Scratch&) = delete;
-  Scratch& operator=(const Scratch&) = delete;
-};
-
 /// A pack as a bake writes it, filled with noise, in the scratch folder.
-Result<fs::path> writePack(const Scratch& scratch, std::string_view kind, int side, int frames) {
+Result<fs::path> writePack(const ScratchFolder& scratch, std::string_view kind, int side, int frames) {
   BakeHeader header;
   header.grid = makeGridMapping({0, 0}, {100, 100}, {side, side});
   header.frames = frames;
@@ -114,7 +98,7 @@ double copyMs(const std::string& bytes) {
 }
 
 Result<BenchRow> packRow(const BenchSetup& setup, std::string_view kind, int side, int frames, Passes& passes) {
-  const Scratch scratch;
+  const ScratchFolder scratch;
   const Result<fs::path> path = writePack(scratch, kind, side, frames);
   if (!path) return path.error();
   const Result<std::string> bytes = readFile(*path, 1ull << 32);
