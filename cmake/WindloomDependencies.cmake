@@ -48,6 +48,12 @@ if(NOT TARGET PkgConfig::EPOXY)
   message(FATAL_ERROR "libepoxy with its headers is needed (Debian: libepoxy-dev)")
 endif()
 
+# Compressed formats are left out where zstd is missing.
+pkg_check_modules(ZSTD QUIET IMPORTED_TARGET GLOBAL libzstd)
+if(NOT TARGET PkgConfig::ZSTD)
+  message(STATUS "zstd (Debian: libzstd-dev) not found: formats compressed with it are left out")
+endif()
+
 pkg_check_modules(HWY QUIET IMPORTED_TARGET libhwy)
 if(TARGET PkgConfig::HWY)
   add_library(windloom_highway ALIAS PkgConfig::HWY)

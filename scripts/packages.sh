@@ -2,11 +2,11 @@
 # installation.
 
 build_packages="g++ cmake ninja-build ccache pkg-config git
-  libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libtinygltf-dev libhwy-dev libepoxy-dev
+  libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libtinygltf-dev libhwy-dev libzstd-dev libepoxy-dev
   libglfw3-dev libimgui-dev fonts-inter fonts-fork-awesome
   libegl1 libgl1 libgl1-mesa-dri"
 
-test_packages="libgtest-dev libbenchmark-dev xvfb xdotool x11-utils imagemagick
+test_packages="libgtest-dev libbenchmark-dev xvfb xdotool x11-utils imagemagick zstd
   python3 python3-numpy python3-jsonschema python3-xlib"
 
 # ensure_packages NAME...: installs what is missing, as root or through sudo; quiet and quick when

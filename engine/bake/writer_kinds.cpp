@@ -1,4 +1,6 @@
 #include "engine/bake/writers.hpp"
+#include "engine/bake/zstd_stream.hpp"
+#include "engine/runtime/windpack_format.h"
 
 namespace windloom {
 namespace {
@@ -9,6 +11,12 @@ std::uint64_t bytes(const BakeHeader& header) {
   const glm::ivec2 resolution = header.grid.resolution;
   return static_cast<std::uint64_t>(resolution.x) * static_cast<std::uint64_t>(resolution.y) *
          static_cast<std::uint64_t>(header.written()) * kBytesPerCell;
+}
+
+/// Of a wind pack that isn't compressed, to the byte.
+template <int kBytesPerCell>
+std::uint64_t windpackBytes(const BakeHeader& header) {
+  return WINDPACK_HEADER_BYTES + bytes<kBytesPerCell>(header) + WINDPACK_CHECKSUM_BYTES;
 }
 
 constexpr WriterKind kKinds[] = {
@@ -30,8 +38,22 @@ constexpr WriterKind kKinds[] = {
      .help = "wind.windpack: half floats for windloom_runtime",
      .need = SpeedNeed::Fastest,
      .exactSize = true,
-     .bytes = bytes<4>,
+     .bytes = windpackBytes<4>,
      .open = openWindpackWriter},
+    {.name = "windpack-f32",
+     .group = "Data",
+     .help = "wind-f32.windpack: the same in floats, twice as large",
+     .need = SpeedNeed::Fastest,
+     .exactSize = true,
+     .bytes = windpackBytes<8>,
+     .open = openWindpackFloatWriter},
+    {.name = "windpack-zstd",
+     .group = "Data",
+     .help = "wind-zstd.windpack: half floats packed with zstd, less than half as large, for windloom_runtime_zstd",
+     .need = SpeedNeed::Fastest,
+     .bytes = windpackBytes<4>,
+     .open = openWindpackZstdWriter,
+     .missing = kMissingZstd},
 };
 
 }  // namespace

@@ -10,5 +10,7 @@ using OpenedWriter = Result<std::unique_ptr<FrameWriter>>;
 OpenedWriter openNpyWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openWindpackFloatWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openWindpackZstdWriter(const BakeHeader& header, const std::filesystem::path& folder);
 
 }  // namespace windloom

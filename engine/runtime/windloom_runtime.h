@@ -1,7 +1,8 @@
 #ifndef WINDLOOM_RUNTIME_H
 #define WINDLOOM_RUNTIME_H
 /* Wind baked by Windloom, for games: loads a .windpack and tells the wind at a place and time. Plain C11,
- * needs the C standard library and nothing else. The file format is described in docs/windpack.md.
+ * needs the C standard library and nothing else; windloom_runtime_zstd, the same library with zstd, reads compressed
+ * packs too. The file format is described in docs/windpack.md.
  *
  * Frame: right-handed, +Y up, metres, m/s; the wind lies in the XZ plane. Between cell centres and between
  * frames the wind is interpolated linearly. A loaded pack is never changed by sampling, so any number of
@@ -26,7 +27,7 @@ typedef enum windloom_status {
   WINDLOOM_OUT_OF_MEMORY,
   WINDLOOM_NEEDS_ZSTD,    /* compressed, and this library was built without zstd */
   WINDLOOM_NO_LIVE_FIELD, /* no editor shares a live field of that name */
-  WINDLOOM_NOT_HERE       /* this system has no shared memory */
+  WINDLOOM_NOT_HERE       /* this system can't follow files, or has no shared memory that can be read as a file */
 } windloom_status;
 
 /* What happens to positions outside the field. */
@@ -41,7 +42,7 @@ typedef struct windloom_info {
   float min_x, min_z; /* m, low corner of the field */
   float max_x, max_z; /* m, high corner */
   float fps;          /* frames a second, > 0 */
-  float max_speed;    /* m/s, no sample is faster */
+  float max_speed;    /* m/s (rad for a response), no sample is faster */
   double start;       /* s: time of frame 0 in the project it was baked from */
   int loop;           /* 1: the last frame is followed by the first */
   windloom_edge edge_x, edge_z;
@@ -85,8 +86,9 @@ typedef struct windloom_follow windloom_follow;
 /* Never NULL but where memory is out; the file may come into being later. `path` is copied. */
 windloom_follow* windloom_follow_open(const char* path);
 /* Looks at the file (a few microseconds) and loads it where it is another one than last time. 1: there is a new pack,
- * 0: nothing changed, -1: the new file can't be loaded (see windloom_follow_status) and the last pack stays. A pack that
- * was replaced is freed at the next change, so threads that sample it have until then. */
+ * 0: nothing changed, -1: the new file can't be loaded (see windloom_follow_status) and the last pack stays. A pack
+ * that was replaced is freed at the next change, so threads that sample it have until then. One thread polls; any
+ * thread may ask for the pack meanwhile. */
 int windloom_follow_poll(windloom_follow* follow);
 /* The pack that was loaded last, or NULL. */
 const windloom_pack* windloom_follow_pack(const windloom_follow* follow);
@@ -97,15 +99,18 @@ void windloom_follow_close(windloom_follow* follow);
 typedef struct windloom_live windloom_live;
 
 /* The field that an editor shares under `name` (NULL: "windloom"), or NULL with the reason. Takes all memory it will
- * ever need. */
+ * ever need. A field has at most 512 cells a side. Where it was ended or left behind there is none: ask again later. */
 windloom_live* windloom_live_open(const char* name, windloom_status* status);
 /* Takes over the newest complete field. 1: newer than the last one, 0: nothing new, -1: the editor has ended the link
- * (the last field stays). Never waits for the editor. Not while another thread samples. */
+ * or is gone (the last field stays; open again to find the next editor). Never waits for the editor. Not while another
+ * thread samples. */
 int windloom_live_update(windloom_live* live);
 /* Of the field taken over last: frames is 1, fps 0, start the time in the project; width is 0 before the first. */
 windloom_info windloom_live_info(const windloom_live* live);
-/* As windloom_sample, of that field. */
+/* As windloom_sample, of that field; calm before the first one. */
 void windloom_live_sample(const windloom_live* live, float x, float z, float velocity[2]);
+/* As windloom_sample_many. */
+void windloom_live_sample_many(const windloom_live* live, const float* positions, size_t count, float* velocities);
 void windloom_live_close(windloom_live* live);
 
 #ifdef __cplusplus
