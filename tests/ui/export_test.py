@@ -206,6 +206,26 @@ def check_live(app, name):
     return LiveReader(name)
 
 
+def check_gpu(app, folder):
+    """Where the project asks for OpenGL, export and live link work with it, beside the window's."""
+    app.wait("the wind on OpenGL", lambda: app.fact("status.grid").startswith("GPU"))
+    app.key("ctrl+shift+e")
+    app.wait("the choices", lambda: app.fact("export.total").startswith("5 frames"))
+    export_now(app, 120)
+    backend = json.loads((folder / "manifest.json").read_text())["solver"]["backend"]
+    check(backend == "gpu", f"exported with {backend}")
+    name = f"windloom-test-gpu-{os.getpid()}"
+    type_into(app, "export/live_name", name)
+    app.press("export/live")
+    app.wait("sharing", lambda: app.fact("live").startswith("sharing"))
+    reader = LiveReader(name)
+    app.wait("fields of the GPU", lambda: reader.newest() > 2)
+    field = reader.field()
+    width, height = field["size"]  # a slow machine's live grid is coarser
+    middle = field["cells"][height // 2 * width + width // 2]
+    check(middle[0] > 4, f"{field['size']}, in the middle {middle}")
+
+
 def main():
     windloom_editor = sys.argv[1]
     with tempfile.TemporaryDirectory(prefix="windloom-export-") as name, display("1280x1200") as environment:
@@ -244,6 +264,9 @@ def main():
             app.wait_fact("live", "")
             app.key("ctrl+q")
             check(app.wait_end() == 0, "closing must end the editor with 0")
+        (home / "gl.wind.json").write_text(json.dumps(dict(PROJECT, solver={"backend": "gpu"})))
+        with editor(windloom_editor, environment, home, str(home / "gl.wind.json"), size=WINDOW) as app:
+            check_gpu(app, home / "gl-wind")
     print("formats proposed, sized and warned of; exported, cancelled, exported again, shared; remembered")
 
 
