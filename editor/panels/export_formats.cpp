@@ -1,18 +1,28 @@
 #include "editor/panels/export_formats.hpp"
 
 #include <string>
-#include <utility>
 
+#include "editor/core/size_text.hpp"
 #include "editor/widgets/icons.hpp"
 #include "editor/widgets/parameter_row.hpp"
 
 namespace windloom::editor {
 namespace {
 
+/// Below this width the groups' names don't stand beside the formats but above them.
+constexpr float kBesideWidth = 270;
+
 void rightAligned(const std::string& text) {
   const float room = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
   if (room > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + room);
   ImGui::TextDisabled("%s", text.c_str());
+}
+
+/// At the right; with a sign for "about" where the words don't fit.
+void drawSize(const ExportSize& size) {
+  const std::string full = sizeText(size);
+  const bool fits = ImGui::CalcTextSize(full.c_str()).x <= ImGui::GetContentRegionAvail().x;
+  rightAligned(fits || size.exact ? full : std::string("~").append(bytesText(size.bytes)));
 }
 
 void drawFormat(const WriterKind& kind, ExportChoices& choices, const BakeHeader& header, const BakeRequest& request) {
@@ -28,32 +38,42 @@ void drawFormat(const WriterKind& kind, ExportChoices& choices, const BakeHeader
   if (toggled && !on) choices.formats.erase(name);
   ImGui::TableNextColumn();
   ImGui::AlignTextToFramePadding();
-  const std::string size = there ? sizeText(sizeOf(kind, header, request)) : "not in this build";
-  rightAligned(size);
-  look().map.fact("export.size." + name, size);
+  const ExportSize size = there ? sizeOf(kind, header, request) : ExportSize{};
+  if (there)
+    drawSize(size);
+  else
+    rightAligned("missing");
+  look().map.fact("export.size." + name, there ? sizeText(size) : "missing");
   look().map.fact("export.format." + name, on ? "yes" : "no");
 }
 
 /// The formats of a group, whose name stands before the first.
-void drawGroup(std::string_view group, ExportChoices& choices, const BakeHeader& header, const BakeRequest& request) {
+void drawGroup(std::string_view group, bool beside, ExportChoices& choices, const BakeHeader& header,
+               const BakeRequest& request) {
   bool first = true;
   for (const WriterKind& kind : writerKinds()) {
     if (kind.group != group) continue;
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
-    ImGui::AlignTextToFramePadding();
-    if (std::exchange(first, false)) ImGui::TextDisabled("%s", std::string(group).c_str());
-    ImGui::TableNextColumn();
+    if (beside || first) {
+      ImGui::AlignTextToFramePadding();
+      if (first) ImGui::TextDisabled("%s", std::string(group).c_str());
+      if (!beside) ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+    }
+    first = false;
     drawFormat(kind, choices, header, request);
   }
 }
 
 void drawTable(ExportChoices& choices, const BakeHeader& header, const BakeRequest& request) {
-  if (!ImGui::BeginTable("formats", 3, ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings)) return;
-  ImGui::TableSetupColumn("group");
+  const bool beside = ImGui::GetContentRegionAvail().x > scaled(kBesideWidth);
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_SizingFixedFit | ImGuiTableFlags_NoSavedSettings;
+  if (!ImGui::BeginTable(beside ? "formats" : "narrow formats", beside ? 3 : 2, kFlags)) return;
+  if (beside) ImGui::TableSetupColumn("group");
   ImGui::TableSetupColumn("format");
   ImGui::TableSetupColumn("size", ImGuiTableColumnFlags_WidthStretch);
-  for (const std::string_view group : formatGroups()) drawGroup(group, choices, header, request);
+  for (const std::string_view group : formatGroups()) drawGroup(group, beside, choices, header, request);
   ImGui::EndTable();
 }
 

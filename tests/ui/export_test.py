@@ -42,7 +42,7 @@ def formats(app):
     facts = app.read_map()[0]
     prefix = "export.format."
     there = {name[len(prefix):]: value == "yes" for name, value in facts.items() if name.startswith(prefix)}
-    missing = {name for name in there if facts["export.size." + name] == "not in this build"}
+    missing = {name for name in there if facts["export.size." + name] == "missing"}
     return set(there) - missing, {name for name, on in there.items() if on}
 
 
