@@ -16,8 +16,8 @@ struct SpeedHistogram {
   float clipped = 0;                 ///< part of the cells that are faster than the full scale, 0..1
 };
 
-/// `fullScale` in m/s, > 0; the bins reach to it or to the fastest cell, whichever is more. Fields of over a million
-/// cells are sampled evenly.
+/// `fullScale` in m/s, > 0; the bins reach to it or to the fastest cell, whichever is more. Large fields are
+/// sampled evenly.
 SpeedHistogram speedHistogram(std::span<const glm::vec2> cells, float fullScale);
 
 }  // namespace windloom::editor

@@ -25,7 +25,8 @@ void ClippingView::sample(Session& session, double seconds, float fullScale) {
   const bool changed = fullScale != m_fullScale;
   if (!changed && seconds - m_at < kEveryS) return;
   session.askField();
-  const FieldSnapshot& field = session.field();
+  const std::shared_ptr<const FieldSnapshot> kept = session.field();
+  const FieldSnapshot& field = *kept;
   if (field.number == 0 || (!changed && field.number == m_number)) return;
   m_at = seconds;
   m_number = field.number;

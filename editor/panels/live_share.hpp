@@ -6,7 +6,7 @@
 #include <string>
 
 #include "editor/core/preferences.hpp"
-#include "engine/bake/live_link.hpp"
+#include "editor/panels/live_publisher.hpp"
 #include "engine/session/session.hpp"
 
 namespace windloom::editor {
@@ -25,7 +25,7 @@ class LiveShare {
   /// project's field repeats. Never waits for the wind.
   void update(Session* session, LiveEdges edges, double seconds);
 
-  [[nodiscard]] bool failed() const { return m_on && !m_problem.empty(); }
+  [[nodiscard]] bool failed() const { return m_on && !m_link.problem.empty(); }
   /// "sharing 256 x 256, 30 fields a second", or what went wrong; empty while off.
   [[nodiscard]] std::string state() const;
 
@@ -33,17 +33,17 @@ class LiveShare {
   void keep(Preferences& preferences) const;
 
  private:
-  void open(double seconds);
-  void publish(const FieldSnapshot& field, LiveEdges edges, double seconds);
+  void measureRate(double seconds);
 
-  std::unique_ptr<LiveLink> m_link;
   bool m_on = false;
-  std::string m_name = "windloom", m_problem;
-  double m_triedAt = -1e9, m_publishedAt = -1e9;
-  long m_field = 0;  // the snapshot that was published last
+  std::string m_name = "windloom";
+  std::unique_ptr<LivePublisher> m_publisher;
+  LivePublisher::State m_link;
+  double m_sentAt = -1e9;
+  long m_sent = 0;  // number of the field that was sent last
   glm::ivec2 m_resolution{0};
   // Fields of about a second.
-  int m_counted = 0;
+  long long m_countedTo = 0;
   double m_countedFrom = 0, m_rate = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <atomic>
 #include <cstring>
 
 #include "engine/core/contract.hpp"
@@ -46,8 +47,7 @@ void FieldReadout::ask(Simulation& simulation) {
   const GridMapping& grid = solver.grid();
   if (solver.backend() == Backend::Cpu) {
     dropRing();
-    m_newest.cells = simulation.velocity();
-    take(simulation.time(), grid);
+    next(simulation.time(), grid).cells = simulation.velocity();
   } else {
     if (!fitRing(grid.resolution)) return;
     if (!m_ring.request(solver.velocityTexture(), GL_RG, GL_FLOAT, m_tag + 1)) return;
@@ -56,22 +56,28 @@ void FieldReadout::ask(Simulation& simulation) {
   m_askedStep = simulation.steps();
 }
 
-void FieldReadout::take(double time, const GridMapping& grid) {
-  ++m_newest.number;
-  m_newest.time = time;
-  m_newest.grid = grid;
+/// What takes the place of the newest; its cells still hold something older.
+FieldSnapshot& FieldReadout::next(double time, const GridMapping& grid) {
+  const long number = m_newest->number + 1;
+  if (m_newest.use_count() > 1) m_newest = std::make_shared<FieldSnapshot>();
+  // Another thread may just have let go of it: what it read comes before what is written now.
+  std::atomic_thread_fence(std::memory_order_acquire);
+  m_newest->number = number;
+  m_newest->time = time;
+  m_newest->grid = grid;
+  return *m_newest;
 }
 
-const FieldSnapshot& FieldReadout::newest() {
+std::shared_ptr<const FieldSnapshot> FieldReadout::newest() {
   while (!m_inFlight.empty()) {
     const auto arrived = m_ring.takeOldest(gpu::ReadbackRing::Wait::No);
     if (!arrived) break;
     const Request request = m_inFlight.front();
     m_inFlight.pop_front();
     WL_REQUIRE(request.tag == arrived->tag, "answers come in the order of requests");
-    m_newest.cells.resize(cellsOf(request.grid.resolution));
-    std::memcpy(m_newest.cells.data(), arrived->bytes.data(), arrived->bytes.size());
-    take(request.time, request.grid);
+    std::vector<glm::vec2>& cells = next(request.time, request.grid).cells;
+    cells.resize(cellsOf(request.grid.resolution));
+    std::memcpy(cells.data(), arrived->bytes.data(), arrived->bytes.size());
   }
   return m_newest;
 }

@@ -4,6 +4,7 @@
 
 #include <deque>
 #include <glm/glm.hpp>
+#include <memory>
 #include <vector>
 
 #include "engine/core/grid_mapping.hpp"
@@ -26,8 +27,8 @@ class FieldReadout {
   /// Asks for the field as it is now; nothing where that is known, or on its way, already. On the CPU backend it is
   /// there at once. Where too many are on their way, or OpenGL has no memory for it (logged once), nothing is asked.
   void ask(Simulation& simulation);
-  /// The newest that has come; the same object each time, which changes with the next call.
-  const FieldSnapshot& newest();
+  /// The newest that has come; never null. Whoever keeps it keeps it unchanged.
+  std::shared_ptr<const FieldSnapshot> newest();
   /// The wind jumped or was changed without a step: the next ask() takes it again.
   void touch() { m_askedStep = -1; }
 
@@ -39,9 +40,9 @@ class FieldReadout {
   };
   void dropRing();
   bool fitRing(glm::ivec2 resolution);
-  void take(double time, const GridMapping& grid);
+  FieldSnapshot& next(double time, const GridMapping& grid);
 
-  FieldSnapshot m_newest;
+  std::shared_ptr<FieldSnapshot> m_newest = std::make_shared<FieldSnapshot>();
   gpu::ReadbackRing m_ring;
   glm::ivec2 m_ringResolution{0};
   std::deque<Request> m_inFlight;

@@ -74,7 +74,7 @@ class SessionImpl final : public Session {
   void watch(std::vector<glm::vec2> places) override { m_watch.setPlaces(std::move(places)); }
   std::vector<WindSample> takeSamples() override { return m_watch.take(); }
   void askField() override { m_field.ask(*m_simulation); }
-  const FieldSnapshot& field() override { return m_field.newest(); }
+  std::shared_ptr<const FieldSnapshot> field() override { return m_field.newest(); }
   [[nodiscard]] const SessionStatus& status() override;
 
  private:

@@ -112,8 +112,8 @@ class Session {
   /// Asks for the whole field as it is now; nothing where that is known or on its way. It comes with field(): at once
   /// on the CPU backend, some frames later on the GPU, so that nothing waits.
   virtual void askField() = 0;
-  /// The newest that came; changes with later calls of both.
-  virtual const FieldSnapshot& field() = 0;
+  /// The newest that came; never null. Whoever keeps it keeps it unchanged.
+  virtual std::shared_ptr<const FieldSnapshot> field() = 0;
   [[nodiscard]] virtual const SessionStatus& status() = 0;
 };
 

@@ -137,6 +137,22 @@ def check_export(app, folder, desk):
     app.wait("the copied path", lambda: app.fact("message") == f"Copied {folder}")
 
 
+def check_refused(app, folder):
+    """A folder that can't be written is told with its path; the usual one is back when the field is emptied."""
+    before = contents(folder)
+    type_into(app, "export/folder", "/proc/windloom-test")
+    ended = app.fact("export.ended")
+    app.press("export/start")
+    app.wait("the refusal", lambda: app.fact("export.ended") != ended)
+    check("/proc/windloom-test" in app.fact("export.outcome"), app.fact("export.outcome"))
+    check("export/open" not in app.read_map()[1], "there is nothing to show")
+    app.press("export/folder")
+    app.wait_fact("typing", "yes")
+    app.key("ctrl+a", "BackSpace", "Return")
+    app.wait_fact("typing", "no")
+    check(contents(folder) == before, "the export before stays")
+
+
 def check_cancel(app, folder):
     before = contents(folder)
     type_into(app, "export/seconds", "3000")
@@ -246,6 +262,7 @@ def main():
             check_sizes(app)
             check_warnings(app)
             check_export(app, folder, desk)
+            check_refused(app, folder)
             check_cancel(app, folder)
             check_again(app, folder)
             reader = check_live(app, f"windloom-test-{os.getpid()}")
