@@ -2,12 +2,14 @@
 exported, a long export is cancelled and leaves nothing, an edit exports again, the folder is shown and its path copied, the
 live wind is shared, and the choices are there in the next session.
 
-usage: export_test.py WINDLOOM_EDITOR
+usage: export_test.py WINDLOOM_EDITOR [PICTURE]
+With PICTURE only the choices are made, and the panel is written there (docs/images/export.png).
 """
 import json
 import math
 import os
 import pathlib
+import subprocess
 import sys
 import tempfile
 import time
@@ -242,6 +244,23 @@ def check_gpu(app, folder):
     check(middle[0] > 4, f"{field['size']}, in the middle {middle}")
 
 
+def take_picture(windloom_editor, environment, home, project, picture):
+    with editor(windloom_editor, environment, home, project, size="1280x860") as app:
+        app.wait_fact("scene", "yes")
+        app.key("ctrl+shift+e")
+        app.wait("the export", lambda: app.fact("export.preset") != "")
+        pick(app, "export/preset", "unreal")
+        choose(app, "exr", "fga", "png")
+        app.press("export/section/Formats")
+        pick(app, "export/own_full_scale", "on")
+        type_into(app, "export/full_scale", "6")
+        app.press("export/section/Formats")
+        app.wait("clipped cells", lambda: "% of cells clip" in app.fact("export.clipping"))
+        app.point_at(app.centre("viewport"))
+        app.picture(picture)
+    subprocess.run(["convert", str(picture), "-crop", "320x805+960+58", "+repage", "-colors", "64", f"PNG8:{picture}"], check=True)
+
+
 def main():
     windloom_editor = sys.argv[1]
     with tempfile.TemporaryDirectory(prefix="windloom-export-") as name, display("1280x1200") as environment:
@@ -254,6 +273,8 @@ def main():
         opener.write_text(f'#!/bin/sh\nprintf %s "$1" > "{desk}.part" && mv "{desk}.part" "{desk}"\n')
         opener.chmod(0o755)
         environment["PATH"] = f"{home / 'bin'}:{os.environ['PATH']}"
+        if len(sys.argv) > 2:
+            return take_picture(windloom_editor, environment, home, str(project), pathlib.Path(sys.argv[2]))
         with editor(windloom_editor, environment, home, str(project), size=WINDOW) as app:
             app.wait_fact("scene", "yes")
             app.key("ctrl+shift+e")
