@@ -31,6 +31,29 @@ if(NOT TARGET PNG::PNG)
   message(FATAL_ERROR "libpng with its headers is needed (Debian: libpng-dev)")
 endif()
 
+pkg_check_modules(DEFLATE QUIET IMPORTED_TARGET GLOBAL libdeflate)
+if(NOT TARGET PkgConfig::DEFLATE)
+  message(FATAL_ERROR "libdeflate with its headers is needed (Debian: libdeflate-dev)")
+endif()
+
+pkg_check_modules(ZSTD QUIET IMPORTED_TARGET GLOBAL libzstd)
+if(NOT TARGET PkgConfig::ZSTD)
+  message(FATAL_ERROR "libzstd with its headers is needed (Debian: libzstd-dev)")
+endif()
+
+# stb_dxt packs blocks of BC5. Debian's library holds it compiled.
+pkg_check_modules(STB QUIET IMPORTED_TARGET GLOBAL stb)
+if(TARGET PkgConfig::STB)
+  add_library(windloom_stb_dxt ALIAS PkgConfig::STB)
+else()
+  FetchContent_Declare(stb GIT_REPOSITORY https://github.com/nothings/stb.git
+    GIT_TAG 8b5f1f37b5b75829fc72d38e7b5d4bcbf8a26d55)
+  FetchContent_Populate(stb)
+  file(WRITE ${CMAKE_BINARY_DIR}/stb_dxt.c "#define STB_DXT_IMPLEMENTATION\n#include <stb_dxt.h>\n")
+  add_library(windloom_stb_dxt STATIC ${CMAKE_BINARY_DIR}/stb_dxt.c)
+  target_include_directories(windloom_stb_dxt SYSTEM PUBLIC ${stb_SOURCE_DIR})
+endif()
+
 find_package(TinyGLTF QUIET)
 if(TARGET TinyGLTF::TinyGLTF)
   # An imported target can only be aliased where it is seen everywhere.
@@ -48,12 +71,6 @@ if(NOT TARGET PkgConfig::EPOXY)
   message(FATAL_ERROR "libepoxy with its headers is needed (Debian: libepoxy-dev)")
 endif()
 
-# Compressed formats are left out where zstd is missing.
-pkg_check_modules(ZSTD QUIET IMPORTED_TARGET GLOBAL libzstd)
-if(NOT TARGET PkgConfig::ZSTD)
-  message(STATUS "zstd (Debian: libzstd-dev) not found: formats compressed with it are left out")
-endif()
-
 pkg_check_modules(HWY QUIET IMPORTED_TARGET libhwy)
 if(TARGET PkgConfig::HWY)
   add_library(windloom_highway ALIAS PkgConfig::HWY)
@@ -62,6 +79,26 @@ else()
   set(HWY_ENABLE_EXAMPLES OFF CACHE BOOL "" FORCE)
   windloom_fetch(highway https://github.com/google/highway.git 1.0.3)
   add_library(windloom_highway ALIAS hwy)
+endif()
+
+# OpenVDB volumes are written where the library is there. Its headers need Boost's, its own CMake file comes
+# without a package.
+option(WINDLOOM_OPENVDB "Write OpenVDB volumes, where the library is there" ON)
+if(WINDLOOM_OPENVDB)
+  find_path(WINDLOOM_OPENVDB_HEADERS openvdb/openvdb.h)
+  find_path(WINDLOOM_BOOST_HEADERS boost/uuid/uuid.hpp)
+  find_library(WINDLOOM_OPENVDB_LIBRARY openvdb)
+  mark_as_advanced(WINDLOOM_OPENVDB_HEADERS WINDLOOM_BOOST_HEADERS WINDLOOM_OPENVDB_LIBRARY)
+  find_package(TBB QUIET)
+  pkg_check_modules(IMATH QUIET IMPORTED_TARGET Imath)
+  if(WINDLOOM_OPENVDB_HEADERS AND WINDLOOM_BOOST_HEADERS AND WINDLOOM_OPENVDB_LIBRARY AND TARGET TBB::tbb
+     AND TARGET PkgConfig::IMATH)
+    add_library(windloom_openvdb INTERFACE)
+    target_include_directories(windloom_openvdb SYSTEM INTERFACE ${WINDLOOM_OPENVDB_HEADERS} ${WINDLOOM_BOOST_HEADERS})
+    target_link_libraries(windloom_openvdb INTERFACE ${WINDLOOM_OPENVDB_LIBRARY} TBB::tbb PkgConfig::IMATH)
+  else()
+    message(STATUS "OpenVDB: not found, its export is left out (Debian: libopenvdb-dev libboost-dev)")
+  endif()
 endif()
 
 if(WINDLOOM_EDITOR)

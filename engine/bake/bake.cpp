@@ -28,6 +28,8 @@ Status requireWritable(const BakeRequest& request, const BakeHeader& header) {
   for (const WriterKind* kind : request.formats) {
     if (!kind->missing.empty())
       return makeError(ErrorKind::Machine, std::string(kind->name) + ": " + std::string(kind->missing));
+    if (const std::string refusal = kind->refusal != nullptr ? kind->refusal(header) : ""; !refusal.empty())
+      return makeError(ErrorKind::BadInput, std::string(kind->name) + ": " + refusal);
     if (!kind->numbered) whole += (whole.empty() ? "" : ", ") + std::string(kind->name);
     scale = scale || kind->need == SpeedNeed::Range;
   }
@@ -65,6 +67,7 @@ std::string planKey(const Project& project, Backend backend, const BakeRequest& 
   BakeHeader whole = header;
   whole.first = 0;
   whole.last = whole.frames - 1;
+  whole.fastest = 0;
   whole.fullScale = request.fullScale.value_or(0.0f);
   std::string text = manifestText({whole, {}, request.response, false}, project, backend, {}) + writeProject(project);
   for (const WriterKind* kind : request.formats) text += std::string(kind->name) + ",";
@@ -147,6 +150,7 @@ class Baker {
     const ManifestFacts facts{m_header, m_seam, m_request.response, project.solver->source == WindSource::Card};
     const std::string text = manifestText(facts, project, m_simulation.solver().backend(), entries);
     if (Status written = writeFileAtomically(m_work / "manifest.json", text); !written) return written;
+    if (Status synced = syncFiles(m_work); !synced) return synced;
     for (const BakedFile& file : files) m_report.files.push_back(file.path);
     const std::size_t frameFiles = m_report.files.size();
     for (const BakedFile& file : extras) m_report.files.push_back(file.path);
@@ -177,6 +181,7 @@ class Baker {
   Status finishPart(std::vector<std::vector<Json>> groups) {
     const std::string key = planKey(m_simulation.project(), m_simulation.solver().backend(), m_request, m_header);
     const fs::path parts = partsFolder(m_request.folder, key);
+    if (Status synced = syncFiles(m_work); !synced) return synced;
     Result<FolderLock> lock = FolderLock::take(m_request.folder);
     if (!lock) return lock.error();
     if (Status made = makeFolder(parts); !made) return made;

@@ -3,7 +3,7 @@
 
 #include "engine/bake/target_frame.hpp"
 #include "engine/bake/writers.hpp"
-#include "engine/io/image.hpp"
+#include "engine/io/png_stream.hpp"
 
 namespace windloom {
 namespace {
@@ -11,14 +11,12 @@ namespace {
 class FlowMapWriter final : public FrameWriter {
  public:
   FlowMapWriter(const BakeHeader& header, std::filesystem::path folder)
-      : m_track(header.track),
-        m_target(header),
-        m_folder(std::move(folder)),
-        m_image(header.grid.resolution.x, header.grid.resolution.y, 4) {}
+      : m_track(header.track), m_target(header), m_resolution(header.grid.resolution), m_folder(std::move(folder)) {}
 
   Status add(int frame, std::span<const glm::vec2> cells) override {
     m_target.image(cells, m_vectors);
-    std::uint8_t* pixel = m_image.pixels.data();
+    m_samples.resize(m_vectors.size() * 4);
+    std::uint8_t* pixel = m_samples.data();
     for (const glm::vec2 vector : m_vectors) {
       const glm::vec2 part = partOf(vector, m_target.fullScale(), m_clipped);
       pixel[0] = signedCode8(part.x);
@@ -28,7 +26,7 @@ class FlowMapWriter final : public FrameWriter {
       pixel += 4;
     }
     m_files.push_back({frameFile(m_track, "flow", frame, "png"), "flow", "unorm8", {{"frame", frame}}});
-    return writePng(m_folder / m_files.back().path, m_image);
+    return writePicture(m_folder / m_files.back().path);
   }
 
   Result<std::vector<BakedFile>> finish() override {
@@ -37,11 +35,19 @@ class FlowMapWriter final : public FrameWriter {
   }
 
  private:
+  Status writePicture(const std::filesystem::path& path) const {
+    auto png = PngStream<std::uint8_t>::create(path, m_resolution.x, m_resolution.y, PngEffort::Usual);
+    if (!png) return png.error();
+    if (Status written = png->write(m_samples); !written) return written;
+    return png->finish(Sync::Later);
+  }
+
   Track m_track;
   TargetFrame m_target;
+  glm::ivec2 m_resolution;
   std::filesystem::path m_folder;
   std::vector<glm::vec2> m_vectors;
-  Image m_image;
+  std::vector<std::uint8_t> m_samples;
   std::vector<BakedFile> m_files;
   long long m_clipped = 0;
 };

@@ -57,6 +57,8 @@ struct WriterKind {
   Result<std::unique_ptr<FrameWriter>> (*open)(const BakeHeader& header, const std::filesystem::path& folder) = nullptr;
   /// What the user should know beforehand, e.g. that the grid is resampled to the format's limit; empty: nothing.
   std::string (*warning)(const BakeHeader& header) = nullptr;
+  /// Why the format can't hold such a recording (open() fails with the same words as BadInput); empty: it can.
+  std::string (*refusal)(const BakeHeader& header) = nullptr;
   /// Formats that need a library which was left out of this build say so here; open() then fails with Machine.
   std::string_view missing = {};
 };

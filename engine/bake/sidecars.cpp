@@ -1,10 +1,272 @@
 #include "engine/bake/sidecars.hpp"
 
-namespace windloom {
+#include <algorithm>
+#include <cmath>
 
-Result<std::vector<BakedFile>> writeSidecars(const Project&, const BakeHeader&, std::span<const BakedFile>,
-                                             const std::filesystem::path&) {
-  return std::vector<BakedFile>{};
+#include "engine/bake/fill_template.hpp"
+#include "engine/bake/response.hpp"
+#include "engine/bake/target_frame.hpp"
+#include "engine/core/text.hpp"
+#include "engine/io/atomic_file.hpp"
+#include "engine/io/sha256.hpp"
+
+namespace windloom {
+namespace {
+
+/// A number as shader languages take it: always with a point or an exponent.
+std::string real(float value) {
+  std::string text = shortest(value);
+  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  return text;
+}
+
+/// Letters, digits and underscores only, for names in code.
+std::string identifier(std::string_view name) {
+  std::string out;
+  for (const char c : name) out += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
+  return out.empty() ? "wind" : out;
+}
+
+/// Without what would end a line, a string or a comment.
+std::string harmless(std::string_view name) {
+  std::string out;
+  for (const char c : name) out += static_cast<unsigned char>(c) < 32 || c == '"' || c == '\\' || c == '*' ? ' ' : c;
+  return out;
+}
+
+bool isImage(const std::string& path) {
+  return path.ends_with(".png") || path.ends_with(".exr");
+}
+
+class Sidecars {
+ public:
+  Sidecars(const Project& project, const BakeHeader& header, std::span<const BakedFile> files,
+           std::filesystem::path folder)
+      : m_header(header), m_rules(rulesOf(header.preset)), m_files(files), m_folder(std::move(folder)) {
+    describe(project);
+  }
+
+  Result<std::vector<BakedFile>> write() {
+    const std::string kind = shaderKind();
+    Status done = put("wind." + kind, snippet(kind));
+    const auto also = [&](const char* name) {
+      if (done) done = put(name, fillTemplate(sidecarTemplate(name), m_values));
+    };
+    if (m_header.preset == Preset::Unreal && has(isImage)) also("import_windloom.py");
+    if (m_rules.vUpwards && has(isImage)) also("WindloomImport.cs");
+    if (m_header.preset == Preset::Godot) {
+      if (const std::string frames = godotFrames(); !frames.empty()) {
+        m_values["FRAMES_FILE"] = frames;
+        also("wind.gd");
+      }
+      if (done) done = writeGodotImports();
+    }
+    m_values["IMPORT"] = fillTemplate(sidecarTemplate("import_" + engine() + ".md"), m_values);
+    m_values["CHECK"] = fillTemplate(sidecarTemplate(isCard() ? "check_card.md" : "check_other.md"), m_values);
+    also("HOWTO.md");
+    if (!done) return done.error();
+    return std::move(m_written);
+  }
+
+ private:
+  [[nodiscard]] std::string engine() const { return m_rules.vUpwards ? "unity" : std::string(m_rules.name); }
+  [[nodiscard]] std::string shaderKind() const {
+    if (m_header.preset == Preset::Godot) return "gdshaderinc";
+    return m_header.preset == Preset::Generic ? "glsl" : "hlsl";
+  }
+  [[nodiscard]] bool isCard() const { return m_values.at("CARD") == "1"; }
+
+  template <class Test>
+  [[nodiscard]] bool has(const Test& test) const {
+    return std::ranges::any_of(m_files, [&](const BakedFile& file) { return test(file.path); });
+  }
+
+  Status put(const std::string& name, const std::string& text) {
+    m_written.push_back({name, "sidecar", "text"});
+    return writeFileUnsynced(m_folder / name, text);
+  }
+
+  /// Tells bakes of one project from each other, so that two may lie in one game.
+  [[nodiscard]] std::string checksum(const std::string& name) const {
+    std::string all = name + std::string(m_rules.name) + std::to_string(m_header.grid.resolution.x) + "x" +
+                      std::to_string(m_header.grid.resolution.y) + "x" + std::to_string(m_header.frames) + "@" +
+                      shortest(m_header.start) + "/" + shortest(m_header.fps);
+    for (const BakedFile& file : m_files) all += file.path;
+    return sha256(all).substr(0, 6);
+  }
+
+  void describe(const Project& project) {
+    const TargetFrame target(m_header);
+    const PresetBounds bounds = boundsIn(m_rules, m_header.grid.minCorner, m_header.grid.size);
+    const float units = m_rules.unitsPerMetre;
+    const glm::vec2 size = bounds.max - bounds.min;
+    const bool response = std::ranges::any_of(m_files, [](const BakedFile& f) { return f.path.starts_with("bend-"); });
+    m_values = {
+        {"NAME", harmless(project.name)},
+        {"PRESET", std::string(m_rules.name)},
+        {"OTHER", m_rules.negateX ? "unity-negz" : "unity"},
+        {"IDENTIFIER", identifier(project.name) + "_" + checksum(project.name)},
+        {"AXIS_A", std::string(m_rules.axes[0])},
+        {"AXIS_B", std::string(m_rules.axes[1])},
+        {"LENGTH_UNIT", std::string(m_rules.lengthUnit)},
+        {"SPEED_UNIT", target.unit()},
+        {"UNIT", target.unit()},
+        {"HANDEDNESS", std::string(m_rules.handedness)},
+        {"UP", std::string(m_rules.up)},
+        {"MIN_A", real(bounds.min.x)},
+        {"MIN_B", real(bounds.min.y)},
+        {"MAX_A", real(bounds.max.x)},
+        {"MAX_B", real(bounds.max.y)},
+        {"SIZE_A", real(size.x)},
+        {"SIZE_B", real(size.y)},
+        {"FULL_SCALE", real(target.fullScale())},
+        {"FACTOR_A", real(target.factor().x)},
+        {"FACTOR_B", real(target.factor().y)},
+        {"FPS", real(static_cast<float>(m_header.fps))},
+        {"FRAMES", real(static_cast<float>(m_header.frames))},
+        {"START", real(static_cast<float>(m_header.start))},
+        {"FRAME_COUNT", std::to_string(m_header.frames)},
+        {"FRAME_RATE", shortest(m_header.fps)},
+        {"WIDTH", std::to_string(m_header.grid.resolution.x)},
+        {"HEIGHT", std::to_string(m_header.grid.resolution.y)},
+        {"REFERENCE", real(m_header.profile.reference * units)},
+        {"ROUGHNESS", real(m_header.profile.roughness * units)},
+        {"LOOP", m_header.loop ? "1" : "0"},
+        {"ONCE", m_header.loop ? "0" : "1"},
+        {"LOOP_WORDS", m_header.loop ? ", repeating without a jump" : ""},
+        {"NEG_X", m_rules.negateX ? "1" : "0"},
+        {"NEG_Z", m_rules.negateZ ? "1" : "0"},
+        {"CARD", project.solver->source == WindSource::Card ? "1" : "0"},
+        {"RESPONSE", response ? "1" : "0"},
+        {"BEND_FULL_SCALE", real(kBendFullScale)},
+        {"SPACE_WORDS", m_header.space == FlowSpace::Uv ? ", in texture coordinates a second" : ""},
+        {"SNIPPET", "wind." + shaderKind()},
+        {"FORMATS", formats()},
+        {"SLAB_STRENGTH", slabStrength()},
+    };
+    describeBorders();
+    describeFiles();
+  }
+
+  void describeBorders() {
+    const bool x = m_header.periodicX, z = m_header.periodicZ;
+    m_values["BORDER_WORDS"] = x && z ? "repeat: the field is periodic"
+                               : x || z
+                                   ? "repeat along " + std::string(m_rules.axes[x ? 0 : 1]) + ", clamp along the other"
+                                   : "clamp";
+    m_values["WRAP"] = x && z ? "Repeat" : "Clamp";
+    m_values["REPEAT"] = x && z ? "repeat_enable" : "repeat_disable";
+    m_values["ADDRESS_A"] = x ? "TA_WRAP" : "TA_CLAMP";
+    m_values["ADDRESS_B"] = z ? "TA_WRAP" : "TA_CLAMP";
+    m_values["ROW_WORDS"] = std::string(m_rules.firstRowHigh ? "high " : "low ") + std::string(m_rules.axes[1]) +
+                            (m_rules.vUpwards ? ": v = 0 is the bottom row" : ": v = 0 is the top row");
+  }
+
+  void describeFiles() {
+    std::string list, test;
+    for (const BakedFile& file : m_files) {
+      if (!isImage(file.path)) continue;
+      list += (list.empty() ? "\"" : ",\n         \"") + file.path + "\"";
+    }
+    for (const std::string& prefix : imagePrefixes())
+      test += (test.empty() ? "" : " || ") + ("name.StartsWith(\"" + prefix + "\")");
+    m_values["FILE_LIST"] = list;
+    m_values["FILE_TEST"] = test.empty() ? "false" : test;
+  }
+
+  /// "flow.", "wind." ...: what names of images begin with.
+  [[nodiscard]] std::vector<std::string> imagePrefixes() const {
+    std::vector<std::string> prefixes;
+    for (const BakedFile& file : m_files) {
+      std::string prefix = file.path.substr(0, file.path.find('.') + 1);
+      if (isImage(file.path) && std::ranges::find(prefixes, prefix) == prefixes.end()) prefixes.push_back(prefix);
+    }
+    return prefixes;
+  }
+
+  /// Formats to bake the calibration card with: those that this bake has images and textures of.
+  [[nodiscard]] std::string formats() const {
+    std::string names;
+    const auto add = [&](std::string_view ending, const char* format) {
+      if (has([&](const std::string& path) { return path.ends_with(ending); }))
+        names += (names.empty() ? "" : ",") + std::string(format);
+    };
+    add(".exr", "exr");
+    add(".dds", "dds");
+    add(".ktx2", "ktx2");
+    add(".png", "png");
+    return names.empty() ? "png" : names;
+  }
+
+  [[nodiscard]] std::string slabStrength() const {
+    for (const BakedFile& file : m_files) {
+      if (file.details.contains("strength")) return shortest(file.details["strength"].get<float>());
+    }
+    return "as manifest.json says";
+  }
+
+  /// The file that loads as Texture2DArray, for wind.gd.
+  [[nodiscard]] std::string godotFrames() const {
+    for (const char* name : {"wind.dds", "wind-rgba.dds", "flow-atlas.png"}) {
+      if (has([&](const std::string& path) { return path == name; })) return name;
+    }
+    return {};
+  }
+
+  /// Beside every image what Godot needs to import it as numbers. An atlas becomes an array, a slab a volume.
+  Status writeGodotImports() {
+    for (const BakedFile& file : m_files) {
+      if (!isImage(file.path)) continue;
+      std::string text = "[remap]\n\n";
+      const auto sliced = [&](const char* importer, const char* type, const nlohmann::ordered_json& slices) {
+        text += "importer=\"" + std::string(importer) + "\"\ntype=\"" + type + "\"\n\n[params]\n\ncompress/mode=3\n" +
+                "mipmaps/generate=false\nslices/horizontal=" + std::to_string(slices.at(0).get<int>()) +
+                "\nslices/vertical=" + std::to_string(slices.at(1).get<int>()) + "\n";
+      };
+      if (file.details.contains("slices")) {
+        sliced("3d_texture", "CompressedTexture3D", file.details["slices"]);
+      } else if (file.details.contains("tiles")) {
+        sliced("2d_array_texture", "CompressedTexture2DArray", file.details["tiles"]);
+      } else {
+        // Floats stay as they are (VRAM uncompressed), bytes lossless.
+        const char* mode = file.path.ends_with(".exr") ? "3" : "0";
+        text += "importer=\"texture\"\ntype=\"CompressedTexture2D\"\n\n[params]\n\ncompress/mode=" + std::string(mode) +
+                "\nmipmaps/generate=false\nprocess/fix_alpha_border=false\nprocess/hdr_as_srgb=false\n" +
+                "detect_3d/compress_to=0\n";
+      }
+      if (Status done = put(file.path + ".import", text); !done) return done;
+    }
+    return Done{};
+  }
+
+  /// The shader code: the part that all languages share, in this one's words.
+  std::string snippet(const std::string& kind) {
+    std::string core = fillTemplate(sidecarTemplate("wind.core"), m_values);
+    using Words = std::vector<std::pair<std::string_view, std::string_view>>;
+    const Words hlsl = {{"CONST ", "static const "}, {"vec2", "float2"}, {"vec3", "float3"},
+                        {"vec4", "float4"},          {"mix(", "lerp("},  {"fract(", "frac("}};
+    const Words glsl = {{"CONST ", "const "}};
+    for (const auto& [from, to] : kind == "hlsl" ? hlsl : glsl) {
+      for (std::size_t at = core.find(from); at != std::string::npos; at = core.find(from, at + to.size()))
+        core.replace(at, from.size(), to);
+    }
+    m_values["CORE"] = core;
+    return fillTemplate(sidecarTemplate("wind." + kind), m_values);
+  }
+
+  const BakeHeader& m_header;
+  const PresetRules& m_rules;
+  std::span<const BakedFile> m_files;
+  std::filesystem::path m_folder;
+  TemplateValues m_values;
+  std::vector<BakedFile> m_written;
+};
+
+}  // namespace
+
+Result<std::vector<BakedFile>> writeSidecars(const Project& project, const BakeHeader& header,
+                                             std::span<const BakedFile> files, const std::filesystem::path& folder) {
+  return Sidecars(project, header, files, folder).write();
 }
 
 }  // namespace windloom

@@ -128,7 +128,6 @@ OpenedWriter openWindpack(const BakeHeader& header, const std::filesystem::path&
     return makeError(ErrorKind::BadInput,
                      "a wind pack holds at most 16 GiB and 100,000 frames; bake fewer frames or a lower --resolution");
   }
-  if (packing.zstd && !kMissingZstd.empty()) return makeError(ErrorKind::Machine, std::string(kMissingZstd));
   const std::string name = stemOf(header.track, packing.stem) + ".windpack";
   Result<AtomicFile> file = AtomicFile::create(folder / name);
   if (!file) return file.error();

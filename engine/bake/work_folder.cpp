@@ -28,6 +28,14 @@ WorkFolder::~WorkFolder() {
 
 WorkFolder::WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
 
+Status syncFiles(const fs::path& folder) {
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int code = descriptor < 0 || ::syncfs(descriptor) != 0 ? errno : 0;
+  if (descriptor >= 0) ::close(descriptor);
+  if (code == 0) return Done{};
+  return makeError(ErrorKind::Machine, folder.string(), {}, std::string("can't write: ") + std::strerror(code));
+}
+
 Result<FolderLock> FolderLock::take(const fs::path& folder) {
   // The folder itself is locked, so no lock file stays behind.
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

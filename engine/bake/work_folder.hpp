@@ -22,6 +22,10 @@ class WorkFolder {
   std::filesystem::path m_path;
 };
 
+/// Brings all that was written where `folder` lies to the disk, in one go: files that were finished with Sync::Later.
+/// Fails with Machine (the disk is full or broken).
+Status syncFiles(const std::filesystem::path& folder);
+
 /// Holds a folder for itself until it goes: programs that finish parts of one bake come one after the other.
 class FolderLock {
  public:

@@ -1,13 +1,11 @@
 #include "engine/bake/zstd_stream.hpp"
 
+#include <zstd.h>
+
 #include <string>
 
 #include "engine/core/contract.hpp"
 #include "engine/core/thread_pool.hpp"
-
-#ifdef WINDLOOM_ZSTD
-
-#include <zstd.h>
 
 namespace windloom {
 namespace {
@@ -18,6 +16,7 @@ constexpr int kLevel = 3;
 }  // namespace
 
 struct ZstdStream::State {
+  explicit State(Sink packedTo) : sink(std::move(packedTo)) {}
   std::unique_ptr<ZSTD_CCtx, decltype(&ZSTD_freeCCtx)> context{ZSTD_createCCtx(), ZSTD_freeCCtx};
   Sink sink;
   std::string packed = std::string(ZSTD_CStreamOutSize(), '\0');
@@ -39,7 +38,7 @@ struct ZstdStream::State {
   }
 };
 
-ZstdStream::ZstdStream(std::uint64_t totalBytes, Sink sink) : m_state(new State{.sink = std::move(sink)}) {
+ZstdStream::ZstdStream(std::uint64_t totalBytes, Sink sink) : m_state(std::make_unique<State>(std::move(sink))) {
   ZSTD_CCtx* context = m_state->context.get();
   WL_REQUIRE(context != nullptr, "memory for a zstd context");
   ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
@@ -60,25 +59,3 @@ Status ZstdStream::finish() {
 }
 
 }  // namespace windloom
-
-#else
-
-namespace windloom {
-
-struct ZstdStream::State {};
-
-ZstdStream::ZstdStream(std::uint64_t, Sink) {}
-
-ZstdStream::~ZstdStream() = default;
-
-Status ZstdStream::write(std::string_view) {
-  return makeError(ErrorKind::Machine, std::string(kMissingZstd));
-}
-
-Status ZstdStream::finish() {
-  return makeError(ErrorKind::Machine, std::string(kMissingZstd));
-}
-
-}  // namespace windloom
-
-#endif

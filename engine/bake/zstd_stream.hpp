@@ -1,7 +1,5 @@
 #pragma once
 // One zstd frame from bytes that come piece by piece, packed on all threads.
-//
-// zstd may be left out of a build (WINDLOOM_ZSTD isn't defined then): everything fails with Machine there.
 
 #include <cstdint>
 #include <functional>
@@ -11,13 +9,6 @@
 #include "engine/core/result.hpp"
 
 namespace windloom {
-
-/// What WriterKind::missing says of formats that need zstd; empty where it is there.
-#ifdef WINDLOOM_ZSTD
-inline constexpr std::string_view kMissingZstd = {};
-#else
-inline constexpr std::string_view kMissingZstd = "this build has no zstd (libzstd)";
-#endif
 
 class ZstdStream {
  public:

@@ -54,6 +54,7 @@ Result<std::vector<BenchRow>> benchLive(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchPicture(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchLoad(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchStartup(const BenchSetup& setup);
+Result<std::vector<BenchRow>> benchExport(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchRuntime(const BenchSetup& setup);
 Result<std::vector<BenchRow>> benchFloor(const BenchSetup& setup);
 

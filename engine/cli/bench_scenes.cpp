@@ -20,7 +20,8 @@ constexpr BenchScene kScenes[] = {
     {"picture", "how near the thinned meadow comes to one with every blade drawn (needs OpenGL)", benchPicture},
     {"load", "reading a project of 10,000 arrows", benchLoad},
     {"startup", "from nothing to the first picture", benchStartup},
-    {"runtime", "one sample of a baked pack in a game", benchRuntime},
+    {"export", "every format's writer, beside writing the same bytes; a bake beside its simulation", benchExport},
+    {"runtime", "a baked pack in a game: loading it, one sample, samples in batches of 1,000", benchRuntime},
 };
 
 /// Four significant digits for numbers, enough to compare and short enough to read.

@@ -57,9 +57,25 @@ Status AtomicFile::write(std::string_view bytes) {
   return Done{};
 }
 
-Status AtomicFile::finish() {
+Status AtomicFile::overwrite(std::uint64_t at, std::string_view bytes) {
   if (m_descriptor < 0) return failure(EBADF);
-  int code = ::fsync(m_descriptor) != 0 ? errno : 0;
+  while (!bytes.empty()) {
+    const ssize_t n = ::pwrite(m_descriptor, bytes.data(), bytes.size(), static_cast<off_t>(at));
+    if (n < 0 && errno == EINTR) continue;
+    if (n < 0) {
+      const int code = errno;
+      abandon();
+      return failure(code);
+    }
+    at += static_cast<std::uint64_t>(n);
+    bytes.remove_prefix(static_cast<std::size_t>(n));
+  }
+  return Done{};
+}
+
+Status AtomicFile::finish(Sync sync) {
+  if (m_descriptor < 0) return failure(EBADF);
+  int code = sync == Sync::Now && ::fsync(m_descriptor) != 0 ? errno : 0;
   if (::close(m_descriptor) != 0 && code == 0) code = errno;
   m_descriptor = -1;
   if (code == 0 && ::rename(m_temporary.c_str(), m_path.c_str()) != 0) code = errno;
@@ -77,6 +93,13 @@ void AtomicFile::abandon() {
 
 Error AtomicFile::failure(int code) const {
   return makeError(ErrorKind::Machine, m_path.string(), {}, std::string("can't write: ") + std::strerror(code));
+}
+
+Status writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes) {
+  Result<AtomicFile> file = AtomicFile::create(path);
+  if (!file) return file.error();
+  if (Status written = file->write(bytes); !written) return written;
+  return file->finish(Sync::Later);
 }
 
 }  // namespace windloom

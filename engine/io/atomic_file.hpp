@@ -10,6 +10,10 @@
 
 namespace windloom {
 
+/// Whether a finished file must survive a loss of power at once. Later: whoever makes many files syncs them together
+/// before they count, which is much quicker.
+enum class Sync { Now, Later };
+
 class AtomicFile {
  public:
   /// Opens a temporary file in the folder of `path`, which must exist. Fails with Machine.
@@ -22,8 +26,12 @@ class AtomicFile {
   /// Appends. Fails with Machine (disk full); the file is then given up and later calls fail too.
   Status write(std::string_view bytes);
 
+  /// Replaces bytes that were written, `at` bytes from the start: headers of what was not known before. What is written
+  /// later is appended as before. Fails as write() does.
+  Status overwrite(std::uint64_t at, std::string_view bytes);
+
   /// Syncs the file and renames it over `path`. Fails with Machine, leaving an older file as it was.
-  Status finish();
+  Status finish(Sync sync = Sync::Now);
 
  private:
   AtomicFile() = default;
@@ -34,5 +42,8 @@ class AtomicFile {
   std::string m_temporary;
   int m_descriptor = -1;
 };
+
+/// A whole file, as AtomicFile writes it, for Sync::Later.
+Status writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes);
 
 }  // namespace windloom

@@ -5,7 +5,7 @@
  * polynomial, and those are reduced by Barrett's method. The constants are the reflected ones of the paper's example
  * for the polynomial of gzip. */
 
-#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__)
+#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__) && !defined(WINDLOOM_PLAIN_C)
 
 #include <immintrin.h>
 

@@ -18,11 +18,10 @@ static windloom_status check_numbers(const windloom_info* info, int float_cells)
   if (!(info->min_x < info->max_x) || !(info->min_z < info->max_z)) return WINDLOOM_DAMAGED;
   if (!(info->fps > 0.0f && info->fps <= 1e6f)) return WINDLOOM_DAMAGED;
   if (!in_range(info->max_speed, 0.0f, float_cells ? 3.4e38f : WINDPACK_MAX_HALF)) return WINDLOOM_DAMAGED;
-  if (!(info->reference_height > 0.0f && info->reference_height <= WINDPACK_MAX_PROFILE_HEIGHT)) {
+  if (!in_range(info->reference_height, WINDPACK_MIN_REFERENCE_HEIGHT, WINDPACK_MAX_PROFILE_HEIGHT)) {
     return WINDLOOM_DAMAGED;
   }
-  /* A roughness so small that the profile can't be computed makes no sense either. */
-  if (info->roughness != 0.0f && !in_range(info->roughness, 1e-6f, WINDPACK_MAX_PROFILE_HEIGHT)) {
+  if (info->roughness != 0.0f && !in_range(info->roughness, WINDPACK_MIN_ROUGHNESS, WINDPACK_MAX_PROFILE_HEIGHT)) {
     return WINDLOOM_DAMAGED;
   }
   return isfinite(info->start) ? WINDLOOM_OK : WINDLOOM_DAMAGED;

@@ -1,6 +1,8 @@
 #ifndef WINDLOOM_RUNTIME_PACK_H
 #define WINDLOOM_RUNTIME_PACK_H
-/* What the library's files share; no part of its interface. */
+/* What the library's files share; no part of its interface.
+ *
+ * WINDLOOM_PLAIN_C leaves out everything that is there for certain processors only, as on all others. */
 
 #include <stdint.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* The wind at a place and a moment. */
 #include <math.h>
-#include <string.h>
 
+#include "engine/runtime/cell_rows.h"
 #include "engine/runtime/pack.h"
 
 typedef windloom_moment neighbours; /* along any axis */
@@ -51,10 +51,10 @@ static inline neighbours frames_at(const windloom_pack* pack, double time) {
   return n;
 }
 
-/* The eight cells around a place and a moment: low x and high x of four rows, by cell number. */
+/* The cells around a place and a moment: two columns of four rows, early near, early far, late near, late far. */
 typedef struct corners {
-  size_t cells[8];
-  float weights[8];
+  size_t low[4], high[4]; /* numbers of cells */
+  float rows[4], x;       /* weights of the rows, and of the high column */
 } corners;
 
 static inline corners corners_at(const windloom_pack* pack, const neighbours* t, float px, float pz) {
@@ -66,55 +66,27 @@ static inline corners corners_at(const windloom_pack* pack, const neighbours* t,
   const size_t width = (size_t)info->width, frame_cells = width * (size_t)info->height;
   const size_t early = (size_t)t->low * frame_cells, late = (size_t)t->high * frame_cells;
   const size_t near = (size_t)z.low * width, far = (size_t)z.high * width;
-  const size_t rows[4] = {early + near, early + far, late + near, late + far};
-  const float before = 1.0f - t->weight;
-  const float row_weights[4] = {before * (1.0f - z.weight), before * z.weight, t->weight * (1.0f - z.weight),
-                                t->weight * z.weight};
-  corners c;
-  for (int i = 0; i < 4; ++i) {
-    c.cells[2 * i] = rows[i] + (size_t)x.low;
-    c.cells[2 * i + 1] = rows[i] + (size_t)x.high;
-    c.weights[2 * i] = row_weights[i] * (1.0f - x.weight);
-    c.weights[2 * i + 1] = row_weights[i] * x.weight;
-  }
+  const size_t low = (size_t)x.low, high = (size_t)x.high;
+  const float before = 1.0f - t->weight, nearer = 1.0f - z.weight;
+  const corners c = {{early + near + low, early + far + low, late + near + low, late + far + low},
+                     {early + near + high, early + far + high, late + near + high, late + far + high},
+                     {before * nearer, before * z.weight, t->weight * nearer, t->weight * z.weight},
+                     x.weight};
   return c;
-}
-
-/* The order of the additions is that of sample_fast.c. */
-static inline float sum_of(const float values[8]) {
-  return ((values[0] + values[4]) + (values[1] + values[5])) + ((values[2] + values[6]) + (values[3] + values[7]));
-}
-
-/* The weighted sum of eight finite half floats. Shifting a half's bits into a float's place leaves the
- * exponent 112 too low; the multiplication puts that right and is exact for subnormal halves too. Written
- * as loops over eight so that compilers make vector instructions of it. */
-static inline float weighted_halves(const uint32_t halves[8], const float weights[8]) {
-  uint32_t bits[8];
-  float values[8];
-  for (int i = 0; i < 8; ++i) bits[i] = (halves[i] & 0x8000u) << 16 | (halves[i] & 0x7fffu) << 13;
-  memcpy(values, bits, sizeof values);
-  for (int i = 0; i < 8; ++i) values[i] *= 5.192296858534828e33f * weights[i]; /* 2^112 */
-  return sum_of(values);
 }
 
 static inline void sample_halves(const windloom_pack* pack, const corners* c, float velocity[2]) {
   const uint32_t* cells = pack->cells;
-  uint32_t low[8], high[8];
-  for (int i = 0; i < 8; ++i) low[i] = cells[c->cells[i]];
-  for (int i = 0; i < 8; ++i) high[i] = low[i] >> 16;
-  velocity[0] = weighted_halves(low, c->weights);
-  velocity[1] = weighted_halves(high, c->weights);
+  sum_of_rows(row_of_halves(cells, c->low[0], c->high[0]), row_of_halves(cells, c->low[1], c->high[1]),
+              row_of_halves(cells, c->low[2], c->high[2]), row_of_halves(cells, c->low[3], c->high[3]), c->rows, c->x,
+              WINDLOOM_HALF_SCALE, velocity);
 }
 
 static inline void sample_floats(const windloom_pack* pack, const corners* c, float velocity[2]) {
   const float* cells = pack->cells;
-  float vx[8], vz[8];
-  for (int i = 0; i < 8; ++i) {
-    vx[i] = cells[2 * c->cells[i]] * c->weights[i];
-    vz[i] = cells[2 * c->cells[i] + 1] * c->weights[i];
-  }
-  velocity[0] = sum_of(vx);
-  velocity[1] = sum_of(vz);
+  sum_of_rows(row_of_floats(cells, c->low[0], c->high[0]), row_of_floats(cells, c->low[1], c->high[1]),
+              row_of_floats(cells, c->low[2], c->high[2]), row_of_floats(cells, c->low[3], c->high[3]), c->rows, c->x,
+              1.0f, velocity);
 }
 
 static inline void sample_between(const windloom_pack* pack, const neighbours* t, float x, float z, float velocity[2]) {

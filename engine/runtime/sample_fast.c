@@ -3,7 +3,7 @@
  * what those cost.) Same operations in the same order as sample.c, so the results are the same bits. */
 #include "engine/runtime/pack.h"
 
-#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__)
+#if (defined(__GNUC__) || defined(__clang__)) && defined(__x86_64__) && !defined(WINDLOOM_PLAIN_C)
 
 #include <cpuid.h>
 #include <float.h>

@@ -47,8 +47,11 @@
 #define WINDPACK_MAX_SIDE 8192u
 #define WINDPACK_MAX_FRAMES 100000u
 #define WINDPACK_MAX_DATA_BYTES (16ull << 30)
-#define WINDPACK_MAX_COORDINATE 1e7f     /* m */
-#define WINDPACK_MAX_PROFILE_HEIGHT 1e4f /* m: reference height and roughness */
+#define WINDPACK_MAX_COORDINATE 1e7f /* m */
+/* Heights of the profile, m: between these, everything that is computed from them is a number. */
+#define WINDPACK_MIN_REFERENCE_HEIGHT 1e-3f
+#define WINDPACK_MIN_ROUGHNESS 1e-6f
+#define WINDPACK_MAX_PROFILE_HEIGHT 1e4f
 #define WINDPACK_MAX_HALF 65504.0f
 /* A zstd block of 128 KiB takes four bytes at least, so nothing is packed tighter than this. */
 #define WINDPACK_MAX_COMPRESSION 32768u

@@ -36,6 +36,7 @@ RESTRICTED = {
     r"tiny_gltf": ["engine/io"],
     r"hwy/": ["engine/wind"],
     r"zstd\.h": ["engine/bake", "engine/runtime"],
+    r"openvdb/": ["engine/bake"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.M)
 

@@ -12,6 +12,8 @@ import zlib
 
 import numpy
 
+from read_windpack import read_windpack  # noqa: F401, for the scripts
+
 WINDLOOM, SAMPLE_PACK = sys.argv[1:3]
 
 PROJECT = {
@@ -106,19 +108,6 @@ def unfilter(kind, line, above, channels):
             guess = min((left, up, corner), key=lambda v: (abs(estimate - v)))
         out[i] = (line[i] + guess) % 256
     return out
-
-
-def read_windpack(path):
-    """Header and frames, after docs/windpack.md."""
-    raw = path.read_bytes()
-    assert raw[:8] == b"WINDPACK" and zlib.crc32(raw[:-4]) == struct.unpack("<I", raw[-4:])[0]
-    version, mark, flags, width, height, frames = struct.unpack_from("<6I", raw, 8)
-    corners = struct.unpack_from("<4f", raw, 32)
-    fps, fastest, start = struct.unpack_from("<2fd", raw, 48)
-    assert (version, mark) == (1, 0x01020304) and struct.unpack_from("<2Q", raw, 64) == (width * height * frames * 4, 0)
-    assert len(raw) == 80 + width * height * frames * 4 + 4
-    wind = numpy.frombuffer(raw, "<f2", offset=80, count=width * height * frames * 2).reshape(frames, height, width, 2)
-    return {"flags": flags, "corners": corners, "fps": fps, "fastest": fastest, "start": start}, wind
 
 
 def main():

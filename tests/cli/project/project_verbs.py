@@ -130,7 +130,7 @@ class Verbs(unittest.TestCase):
     def test_new_writes_every_template_and_refuses_to_overwrite(self):
         templates = json.loads(self.expect(DONE, "new", "--list", "--json").stdout)["templates"]
         names = [t["name"] for t in templates]
-        self.assertEqual(len(set(names)), 9)
+        self.assertEqual(len(set(names)), 10)
         for name in names:
             path = self.folder / f"{name}.wind.json"
             self.expect(DONE, "new", path, "--template", name)

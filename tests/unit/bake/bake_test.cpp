@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/bake/response.hpp"
 #include "engine/core/file.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/sha256.hpp"
@@ -49,6 +50,7 @@ BakeRequest requestFor(const fs::path& folder, std::initializer_list<const char*
   BakeRequest request;
   request.folder = folder;
   request.plan = plan;
+  request.sidecars = false;
   for (const char* name : formats) request.formats.push_back(writerKindNamed(name));
   return request;
 }
@@ -213,6 +215,127 @@ TEST(Bake, SaysWhereItCannotWrite) {
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().kind, ErrorKind::Machine);
   EXPECT_NE(report.error().text().find("taken"), std::string::npos);
+}
+
+TEST(Bake, PartsInAnyOrderAreTheSameBytesAsTheWhole) {
+  const TemporaryFolder whole, parted;
+  BakeRequest request = requestFor(whole.path(), {"png"}, {0.1, 20, 8, 2});
+  request.loop = request.response = request.sidecars = request.graph = true;
+  request.fullScale = 6.0f;
+  const BakeReport complete = mustBake(smallProject(), request);
+  request.folder = parted.path();
+  for (const auto& [first, last] : {std::pair(5, 7), {0, 1}, {2, 5}}) {
+    EXPECT_FALSE(fs::exists(parted.path() / "manifest.json"));
+    request.part = {first, last};
+    EXPECT_EQ(mustBake(smallProject(), request).complete, first == 2);
+  }
+  EXPECT_EQ(complete.files.size(), 5 * 8 + 4u) << "five tracks; graph, snippet, how-to, manifest";
+  EXPECT_EQ(parted.entries(), static_cast<long>(complete.files.size())) << "no part is left lying about";
+  for (const std::string& name : complete.files)
+    EXPECT_EQ(readFile(parted.path() / name).value(), readFile(whole.path() / name).value()) << name;
+}
+
+TEST(Bake, APartLeavesAnOlderBakeAloneUntilAllPartsAreThere) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"png"}, {0, 10, 4, 0});
+  request.fullScale = 6.0f;
+  mustBake(smallProject(), request);
+  const std::string before = readFile(folder.path() / "flow.0000.png").value();
+  request.plan.from = 0.5;
+  request.part = {0, 1};
+  mustBake(smallProject(), request);
+  EXPECT_EQ(readFile(folder.path() / "flow.0000.png").value(), before);
+  request.part = {2, 3};
+  EXPECT_TRUE(mustBake(smallProject(), request).complete);
+  EXPECT_NE(readFile(folder.path() / "flow.0000.png").value(), before);
+  EXPECT_EQ(folder.entries(), 5);
+}
+
+TEST(Bake, PartsOfAnotherPlanDoNotMix) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"png"}, {0, 10, 4, 0});
+  request.fullScale = 6.0f;
+  request.part = {0, 1};
+  EXPECT_FALSE(mustBake(smallProject(), request).complete);
+  request.part = {2, 3};
+  request.fullScale = 7.0f;
+  EXPECT_FALSE(mustBake(smallProject(), request).complete);
+  request.fullScale = 6.0f;
+  EXPECT_TRUE(mustBake(smallProject(), request).complete);
+}
+
+TEST(Bake, RefusesPartsThatCannotBeTheSameAsTheWhole) {
+  const TemporaryFolder folder;
+  const auto refusal = [&](std::initializer_list<const char*> formats, std::pair<int, int> part, bool scale) {
+    BakeRequest request = requestFor(folder.path(), formats, {0, 10, 4, 0});
+    request.part = part;
+    if (scale) request.fullScale = 6.0f;
+    const Result<BakeReport> report = bake(*simulate(smallProject()), request, {});
+    if (report) return std::string("accepted");
+    EXPECT_EQ(report.error().kind, ErrorKind::Usage);
+    return report.error().text();
+  };
+  EXPECT_NE(refusal({"npy"}, {0, 1}, true).find("npy"), std::string::npos);
+  EXPECT_NE(refusal({"png"}, {0, 1}, false).find("--vmax"), std::string::npos);
+  EXPECT_NE(refusal({"png"}, {2, 4}, true).find("0 to 3"), std::string::npos);
+  EXPECT_EQ(refusal({"png"}, {2, 3}, true), "accepted");
+}
+
+TEST(Bake, TellsHowSmoothlyALoopRepeats) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"npy"}, {0.0, 20, 8, 2});
+  request.loop = true;
+  const BakeReport report = mustBake(smallProject(), request);
+  const NpyArray wind = readWind(folder.path());
+  const std::size_t size = wind.values.size() / 8;
+  std::vector<std::vector<glm::vec2>> frames(8);
+  for (std::size_t i = 0; i < wind.values.size(); i += 2)
+    frames[i / size].emplace_back(wind.values[i], wind.values[i + 1]);
+  float step = 0;
+  for (std::size_t n = 1; n < 8; ++n) step = std::max(step, largestChange(frames[n - 1], frames[n]));
+  EXPECT_FLOAT_EQ(report.seam.seam, largestChange(frames[7], frames[0]));
+  EXPECT_FLOAT_EQ(report.seam.step, step);
+  EXPECT_LT(report.seam.seam, report.seam.step);
+  EXPECT_NEAR(readManifest(folder.path())["time"]["seam"]["change"].get<float>(), report.seam.seam, 1e-6f);
+}
+
+TEST(Bake, TheResponseRestsWhereTheWindIsSteady) {
+  Project still = smallProject();
+  still.graph = std::make_shared<WindGraph>();
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"npy"}, {0.0, 20, 5, 0});
+  request.response = true;
+  const BakeReport report = mustBake(still, request);
+  EXPECT_EQ(report.files.size(), 6u);
+  float last = 10;
+  for (const PlantClass& plant : plantClasses()) {
+    const NpyArray bend = readNpy(folder.path() / (std::string(plant.name) + "-wind.npy")).value();
+    EXPECT_NEAR(bend.values.front(), bend.values[bend.values.size() - 2], 1e-4f) << plant.name;
+    EXPECT_GT(bend.values.front(), 0.0f);
+    EXPECT_LT(bend.values.front(), last) << "from soft to stiff";
+    last = bend.values.front();
+  }
+  EXPECT_EQ(readManifest(folder.path())["response"]["classes"].size(), 4u);
+}
+
+TEST(Bake, StandsInItsPresetsShaderCode) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"png"}, {0, 10, 2, 0});
+  request.sidecars = true;
+  request.fullScale = 7.5f;
+  const auto snippetOf = [&](Preset preset, const char* name) {
+    request.preset = preset;
+    mustBake(smallProject(), request);
+    EXPECT_TRUE(fs::exists(folder.path() / "HOWTO.md"));
+    return readFile(folder.path() / name).value();
+  };
+  EXPECT_NE(snippetOf(Preset::Generic, "wind.glsl").find("vec2 WIND_MIN = vec2(-2.0, -9.0)"), std::string::npos);
+  EXPECT_NE(snippetOf(Preset::Unreal, "wind.hlsl").find("float2 WIND_SIZE = float2(2400.0, 1800.0)"),
+            std::string::npos);
+  EXPECT_FALSE(fs::exists(folder.path() / "wind.glsl")) << "the older bake's files are gone";
+  EXPECT_NE(snippetOf(Preset::Unity, "wind.hlsl").find("WIND_MIN = float2(-22.0, -9.0)"), std::string::npos);
+  EXPECT_NE(snippetOf(Preset::Godot, "wind.gdshaderinc").find("WIND_FULL_SCALE = 7.5"), std::string::npos);
+  EXPECT_TRUE(fs::exists(folder.path() / "flow.0001.png.import"));
 }
 
 TEST(InitialField, IsTheFirstFrameOfABakeAndAnEarlierBakeGoesOn) {

@@ -49,4 +49,12 @@ TEST(Preset, UnityMirrorsXAndStartsImagesAtHighZ) {
   EXPECT_EQ(cellOfPixel(rules, {39, 19}, {40, 20}), glm::ivec2(0, 0));
 }
 
+TEST(Preset, UnityMayMirrorZInstead) {
+  const PresetRules& rules = rulesOf(Preset::UnityNegZ);
+  EXPECT_EQ(boundsIn(rules, kCorner, kSize).min, glm::vec2(-10, -22));
+  EXPECT_EQ(boundsIn(rules, kCorner, kSize).max, glm::vec2(30, -2));
+  EXPECT_EQ(velocityIn(rules, {3, -4}), glm::vec2(3, 4));
+  EXPECT_EQ(cellOfPixel(rules, {0, 0}, {40, 20}), glm::ivec2(0, 0)) << "its high z is our low one";
+}
+
 }  // namespace windloom

@@ -71,4 +71,16 @@ TEST(Resampler, LeavesAConstantFieldAsItIs) {
   }
 }
 
+TEST(Resampler, GoesOnAtTheOtherEndWhereTheFieldRepeats) {
+  const std::vector<glm::vec2> field = {{0, 0}, {4, 0}, {8, 0}, {4, 8}};
+  std::vector<glm::vec2> out;
+  Resampler({4, 1}, {8, 1}, {true, false}).apply(field, out);
+  ASSERT_EQ(out.size(), 8u);
+  EXPECT_EQ(out[0], glm::vec2(1, 2)) << "a quarter of the last cell";
+  EXPECT_EQ(out[7], glm::vec2(3, 6)) << "a quarter of the first cell";
+  EXPECT_EQ(out[3], glm::vec2(5, 0));
+  Resampler({4, 1}, {8, 1}).apply(field, out);
+  EXPECT_EQ(out[0], glm::vec2(0, 0));
+}
+
 }  // namespace windloom

@@ -1,64 +1,16 @@
-#include "engine/runtime/windloom_runtime.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <functional>
 #include <limits>
 #include <string>
 #include <vector>
 
-#include "engine/runtime/checksum.h"
+#include "tests/unit/runtime/pack_bytes.hpp"
 
 namespace windloom::runtime {
 namespace {
-
-/// A pack put together from docs/windpack.md, field by field, independent of our writer.
-struct PackBytes {
-  std::uint32_t version = 1, endianMark = 0x01020304, flags = 0, width = 2, height = 2, frames = 1;
-  float corners[4] = {0, 0, 2, 2};
-  float fps = 10, maxSpeed = 100;
-  double start = 0;
-  std::uint64_t dataBytes = 0;  // 0: what the extents say
-  std::vector<std::uint16_t> halves;
-
-  std::string build() const {
-    std::string bytes = "WINDPACK";
-    const auto add = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
-    add(version);
-    add(endianMark);
-    add(flags);
-    add(width);
-    add(height);
-    add(frames);
-    add(corners);
-    add(fps);
-    add(maxSpeed);
-    add(start);
-    add(dataBytes != 0 ? dataBytes : std::uint64_t{4} * width * height * frames);
-    add(std::uint64_t{0});
-    bytes.append(reinterpret_cast<const char*>(halves.data()), halves.size() * 2);
-    add(windloom_checksum(0, bytes.data(), bytes.size()));
-    return bytes;
-  }
-};
-
-// Halves of small whole numbers: sign, 5 bits of exponent with bias 15, 10 bits of fraction.
-constexpr std::uint16_t kZero = 0x0000, kOne = 0x3c00, kTwo = 0x4000, kFour = 0x4400, kEight = 0x4800,
-                        kMinusOne = 0xbc00;
-
-PackBytes twoByTwo() {
-  PackBytes pack;
-  // vx: 0 1 / 2 4 over (x, z); vz: -1 everywhere.
-  pack.halves = {kZero, kMinusOne, kOne, kMinusOne, kTwo, kMinusOne, kFour, kMinusOne};
-  return pack;
-}
-
-WindPack load(const std::string& bytes) {
-  return WindPack::load(bytes.data(), bytes.size());
-}
 
 windloom_status statusOf(const std::function<void(PackBytes&)>& change) {
   PackBytes pack = twoByTwo();
@@ -67,13 +19,6 @@ windloom_status statusOf(const std::function<void(PackBytes&)>& change) {
 }
 
 }  // namespace
-
-TEST(Checksum, IsTheOneOfZlib) {
-  EXPECT_EQ(windloom_checksum(0, "123456789", 9), 0xCBF43926u);
-  const std::string text = "The quick brown fox jumps over the lazy dog";
-  EXPECT_EQ(windloom_checksum(0, text.data(), text.size()), 0x414FA339u);
-  EXPECT_EQ(windloom_checksum(windloom_checksum(0, text.data(), 17), text.data() + 17, text.size() - 17), 0x414FA339u);
-}
 
 TEST(WindPack, SaysWhatTheHeaderSays) {
   PackBytes bytes = twoByTwo();
@@ -185,22 +130,8 @@ TEST(WindPack, RefusesWhatIsNoPack) {
   EXPECT_EQ(WindPack::load(nullptr, 0).status(), WINDLOOM_CANNOT_READ);
 }
 
-TEST(WindPack, RefusesEveryCutAndEveryFlippedByte) {
-  const std::string good = twoByTwo().build();
-  ASSERT_EQ(load(good).status(), WINDLOOM_OK);
-  for (std::size_t length = 0; length < good.size(); ++length) {
-    EXPECT_FALSE(load(good.substr(0, length))) << length;
-  }
-  EXPECT_EQ(load(good + '\0').status(), WINDLOOM_CUT_SHORT);
-  for (std::size_t i = 0; i < good.size(); ++i) {
-    std::string bad = good;
-    bad[i] = static_cast<char>(bad[i] ^ 0x40);
-    EXPECT_FALSE(load(bad)) << i;
-  }
-}
-
 TEST(WindPack, RefusesHeadersThatMakeNoSense) {
-  EXPECT_EQ(statusOf([](PackBytes& p) { p.version = 2; }), WINDLOOM_NEWER_VERSION);
+  EXPECT_EQ(statusOf([](PackBytes& p) { p.version = 3; }), WINDLOOM_NEWER_VERSION);
   EXPECT_EQ(statusOf([](PackBytes& p) { p.version = 0; }), WINDLOOM_DAMAGED);
   EXPECT_EQ(statusOf([](PackBytes& p) { p.endianMark = 0x04030201; }), WINDLOOM_DAMAGED);
   EXPECT_EQ(statusOf([](PackBytes& p) { p.flags = 8; }), WINDLOOM_DAMAGED);

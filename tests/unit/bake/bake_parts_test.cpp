@@ -1,0 +1,84 @@
+#include "engine/bake/bake_parts.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/bake/fill_template.hpp"
+#include "engine/bake/seam.hpp"
+#include "engine/core/file.hpp"
+#include "tests/temporary_folder.hpp"
+
+namespace windloom {
+namespace {
+
+BakePart partOf(int first, int last) {
+  BakePart part{first, last, 0.1f * static_cast<float>(last), {}, {{}}};
+  for (int n = first; n <= last; ++n) part.groups[0].push_back({{"path", std::to_string(n)}, {"frame", n}});
+  return part;
+}
+
+std::vector<int> framesOf(const BakePart& part) {
+  std::vector<int> frames;
+  for (const auto& entry : part.groups[0]) frames.push_back(entry["frame"]);
+  return frames;
+}
+
+}  // namespace
+
+TEST(BakeParts, AreAWholeWhenEveryFrameIsThere) {
+  EXPECT_FALSE(joinParts({}, 4));
+  EXPECT_FALSE(joinParts({partOf(0, 2)}, 4));
+  EXPECT_FALSE(joinParts({partOf(1, 3)}, 4));
+  EXPECT_FALSE(joinParts({partOf(0, 0), partOf(2, 3)}, 4));
+  const std::optional<BakePart> whole = joinParts({partOf(0, 1), partOf(2, 3)}, 4);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(framesOf(*whole), (std::vector{0, 1, 2, 3}));
+  EXPECT_EQ(whole->fastest, 0.3f);
+}
+
+TEST(BakeParts, TakeEveryFrameOnceWhereTheyOverlap) {
+  const std::optional<BakePart> whole = joinParts({partOf(0, 2), partOf(1, 1), partOf(1, 4), partOf(4, 5)}, 6);
+  ASSERT_TRUE(whole);
+  EXPECT_EQ(framesOf(*whole), (std::vector{0, 1, 2, 3, 4, 5}));
+}
+
+TEST(BakeParts, AreReadBackAsTheyWereNoted) {
+  const TemporaryFolder folder;
+  BakePart part = partOf(3, 4);
+  part.fastest = 0.1f;
+  part.seam = {1.25f, 0.7f};
+  ASSERT_TRUE(writePart(folder.path(), part));
+  ASSERT_TRUE(writePart(folder.path(), partOf(0, 2)));
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "part-9-9.json", "{\"first\": 9}"));
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "part-8-8.json", "{"));
+  const std::vector<BakePart> parts = readParts(folder.path());
+  ASSERT_EQ(parts.size(), 2u) << "a damaged note is a missing part";
+  EXPECT_EQ(parts[0].first, 0);
+  EXPECT_EQ(parts[1].fastest, 0.1f);
+  EXPECT_EQ(parts[1].seam.seam, 1.25f);
+  EXPECT_EQ(parts[1].seam.step, 0.7f);
+  EXPECT_EQ(parts[1].groups, part.groups);
+}
+
+TEST(Seam, IsTheStepFromTheLastFrameToTheFirst) {
+  SeamMeter meter;
+  const std::vector<glm::vec2> a = {{0, 0}, {1, 0}}, b = {{0, 0.5f}, {1, 0}}, c = {{3, 4}, {1, 0}};
+  meter.compare(0, b, a);
+  meter.compare(1, a, c);
+  meter.compare(2, c, c);
+  EXPECT_EQ(meter.report().seam, 0.5f);
+  EXPECT_EQ(meter.report().step, 5.0f);
+}
+
+TEST(Template, ReplacesKeysAndLeavesOtherAts) {
+  EXPECT_EQ(fillTemplate("a @ONE@ b@TWO@@ONE@ @export mail@home @", {{"ONE", "1"}, {"TWO", ""}}),
+            "a 1 b1 @export mail@home @\n");
+}
+
+TEST(Template, KeepsLinesWhoseKeyIsSet) {
+  const std::string text = "@if A\na\n@if B\nab\n@end\na2\n@end\n@if C\nc\n@end\nend";
+  EXPECT_EQ(fillTemplate(text, {{"A", "1"}, {"B", "1"}, {"C", "0"}}), "a\nab\na2\nend\n");
+  EXPECT_EQ(fillTemplate(text, {{"A", "1"}, {"B", ""}}), "a\na2\nend\n");
+  EXPECT_EQ(fillTemplate(text, {{"B", "1"}, {"C", "1"}}), "c\nend\n");
+}
+
+}  // namespace windloom
