@@ -81,6 +81,26 @@ else()
   add_library(windloom_highway ALIAS hwy)
 endif()
 
+# OpenVDB volumes are written where the library is there. Its headers need Boost's, its own CMake file comes
+# without a package.
+option(WINDLOOM_OPENVDB "Write OpenVDB volumes, where the library is there" ON)
+if(WINDLOOM_OPENVDB)
+  find_path(WINDLOOM_OPENVDB_HEADERS openvdb/openvdb.h)
+  find_path(WINDLOOM_BOOST_HEADERS boost/uuid/uuid.hpp)
+  find_library(WINDLOOM_OPENVDB_LIBRARY openvdb)
+  mark_as_advanced(WINDLOOM_OPENVDB_HEADERS WINDLOOM_BOOST_HEADERS WINDLOOM_OPENVDB_LIBRARY)
+  find_package(TBB QUIET)
+  pkg_check_modules(IMATH QUIET IMPORTED_TARGET Imath)
+  if(WINDLOOM_OPENVDB_HEADERS AND WINDLOOM_BOOST_HEADERS AND WINDLOOM_OPENVDB_LIBRARY AND TARGET TBB::tbb
+     AND TARGET PkgConfig::IMATH)
+    add_library(windloom_openvdb INTERFACE)
+    target_include_directories(windloom_openvdb SYSTEM INTERFACE ${WINDLOOM_OPENVDB_HEADERS} ${WINDLOOM_BOOST_HEADERS})
+    target_link_libraries(windloom_openvdb INTERFACE ${WINDLOOM_OPENVDB_LIBRARY} TBB::tbb PkgConfig::IMATH)
+  else()
+    message(STATUS "OpenVDB: not found, its export is left out (Debian: libopenvdb-dev libboost-dev)")
+  endif()
+endif()
+
 if(WINDLOOM_EDITOR)
   find_package(glfw3 3.3 QUIET)
   if(NOT TARGET glfw)

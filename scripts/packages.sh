@@ -4,10 +4,11 @@
 build_packages="g++ cmake ninja-build ccache pkg-config git
   libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libdeflate-dev libzstd-dev libstb-dev libtinygltf-dev libhwy-dev libepoxy-dev
   libglfw3-dev libimgui-dev fonts-inter fonts-fork-awesome
+  libopenvdb-dev libboost-dev
   libegl1 libgl1 libgl1-mesa-dri"
 
 test_packages="libgtest-dev libbenchmark-dev xvfb xdotool x11-utils imagemagick
-  openexr zstd python3 python3-numpy python3-jsonschema python3-xlib glslang-tools spirv-cross"
+  openexr zstd python3 python3-numpy python3-jsonschema python3-openvdb python3-xlib glslang-tools spirv-cross"
 
 # ensure_packages NAME...: installs what is missing, as root or through sudo; quiet and quick when
 # nothing is.

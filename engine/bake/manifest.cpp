@@ -92,7 +92,9 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
   const BakeHeader& header = facts.header;
   const PresetRules& rules = rulesOf(header.preset);
   const auto holds = [&](std::string_view encoding) {
-    return std::any_of(files.begin(), files.end(), [&](const Json& f) { return f["encoding"] == encoding; });
+    // Volumes say themselves how they are decoded.
+    return std::any_of(files.begin(), files.end(),
+                       [&](const Json& f) { return f["role"] != "volume" && f["encoding"] == encoding; });
   };
   const bool eight = holds("unorm8") || holds("bc5"), sixteen = holds("unorm16");
   const TargetFrame target(header);

@@ -56,7 +56,7 @@ class Sidecars {
     if (m_rules.vUpwards && has(isImage)) also("WindloomImport.cs");
     if (m_header.preset == Preset::Godot) {
       if (const std::string frames = godotFrames(); !frames.empty()) {
-        m_values["FRAMES_FILE"] = "res://" + frames;
+        m_values["FRAMES_FILE"] = frames;
         also("wind.gd");
       }
       if (done) done = writeGodotImports();

@@ -11,6 +11,13 @@ OpenedWriter openNpyWriter(const BakeHeader& header, const std::filesystem::path
 OpenedWriter openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder);
 
+OpenedWriter openFgaWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openFgaTilesWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openVfWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openVf2Writer(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openVdbWriter(const BakeHeader& header, const std::filesystem::path& folder);
+OpenedWriter openSlabWriter(const BakeHeader& header, const std::filesystem::path& folder);
+
 OpenedWriter openExrWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openPng16Writer(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openAtlasWriter(const BakeHeader& header, const std::filesystem::path& folder);
@@ -37,5 +44,26 @@ std::string atlasRefusal(const BakeHeader& header);
 std::string ddsArrayRefusal(const BakeHeader& header);
 std::string ddsVolumeRefusal(const BakeHeader& header);
 std::string ktx2Warning(const BakeHeader& header);
+
+std::uint64_t fgaBytes(const BakeHeader& header);       ///< about
+std::uint64_t fgaTilesBytes(const BakeHeader& header);  ///< about
+std::uint64_t vfBytes(const BakeHeader& header);
+std::uint64_t vf2Bytes(const BakeHeader& header);
+std::uint64_t vdbBytesOfBake(const BakeHeader& header);  ///< at most
+std::uint64_t slabBytes(const BakeHeader& header);       ///< at most
+std::string fgaWarning(const BakeHeader& header);
+std::string fgaTilesWarning(const BakeHeader& header);
+std::string vfWarning(const BakeHeader& header);
+std::string vdbRefusal(const BakeHeader& header);
+std::string vdbWarning(const BakeHeader& header);
+std::string slabWarning(const BakeHeader& header);
+
+/// WriterKind::missing of "vdb".
+#ifdef WINDLOOM_OPENVDB
+inline constexpr std::string_view kVdbMissing = {};
+#else
+inline constexpr std::string_view kVdbMissing =
+    "this build has no OpenVDB; install it (Debian: libopenvdb-dev libboost-dev) and build again";
+#endif
 
 }  // namespace windloom

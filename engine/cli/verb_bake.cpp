@@ -22,6 +22,7 @@ struct Options : CommonOptions, RunOptions {
   std::optional<double> from, seconds, fps, speedRange, warmUp;
   std::optional<long> steps;
   HeightProfile profile;
+  bool listFormats = false;
   bool loop = false, response = false, graph = false, noSidecars = false;
 };
 
@@ -165,7 +166,28 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
   if (!report.complete) std::printf("part of a bake: frames of other parts are still missing\n");
 }
 
+int listFormats(const Options& options) {
+  Json all = Json::array();
+  for (const WriterKind& kind : writerKinds()) {
+    all.push_back({{"name", kind.name},
+                   {"group", kind.group},
+                   {"help", kind.help},
+                   {"numbered", kind.numbered},
+                   {"missing", kind.missing}});
+    if (!options.json) std::printf("%-14s  %s\n", std::string(kind.name).c_str(), std::string(kind.help).c_str());
+    if (!options.json && !kind.missing.empty()) std::printf("%-14s  %s\n", "", std::string(kind.missing).c_str());
+  }
+  if (options.json) printJson({{"ok", true}, {"formats", all}});
+  return kExitDone;
+}
+
 int runBake(const Options& options) {
+  if (options.listFormats) return listFormats(options);
+  for (const auto& [given, name] : {std::pair(!options.file.empty(), "the project FILE"),
+                                    {!options.out.empty(), "--out DIR"},
+                                    {!options.formats.empty(), "--format F"}}) {
+    if (!given) return reportError(makeError(ErrorKind::Usage, std::string("expected ") + name), options);
+  }
   const auto start = std::chrono::steady_clock::now();
   Result<Project> project = loadWithWarnings(options.file);
   if (!project) return reportError(project.error(), options);
@@ -209,13 +231,13 @@ int runBake(const Options& options) {
 
 VerbAction makeBakeVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
-  app.add_option("--out", options->out, "Folder for the files, made if needed")->type_name("DIR")->required();
+  app.add_option("file", options->file, "Project file (NAME.wind.json)");
+  app.add_option("--out", options->out, "Folder for the files, made if needed")->type_name("DIR");
   app.add_option("--format", options->formats, "What to write, separated by commas: " + namesOf(writerKinds()))
       ->type_name("F[,F...]")
       ->delimiter(',')
-      ->allow_extra_args(false)
-      ->required();
+      ->allow_extra_args(false);
+  app.add_flag("--list-formats", options->listFormats, "List the formats and write nothing");
   app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
       ->type_name("NAME")
       ->capture_default_str();

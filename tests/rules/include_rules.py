@@ -35,6 +35,7 @@ RESTRICTED = {
     r"png\.h": ["engine/io"],
     r"tiny_gltf": ["engine/io"],
     r"hwy/": ["engine/wind"],
+    r"openvdb/": ["engine/bake"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[">]', re.M)
 

@@ -1,7 +1,9 @@
 """Reads what `windloom bake` writes with readers that share no code with it."""
 import json
+import pathlib
 import subprocess
 
+import jsonschema
 import numpy
 
 import harness
@@ -29,7 +31,8 @@ class BakedFiles(harness.Case):
                          {"fps": 10, "frames": 4, "loop": False, "start": 0})
         self.assertEqual(manifest["frame"]["handedness"], "right")
         listed = {entry["path"]: entry["sha256"] for entry in manifest["files"]}
-        self.assertEqual(sorted(listed), [*(f"flow.000{n}.png" for n in range(4)), "wind.npy", "wind.windpack"])
+        self.assertEqual(sorted(listed), ["HOWTO.md", *(f"flow.000{n}.png" for n in range(4)), "wind.glsl", "wind.npy",
+                                          "wind.windpack"])
         for path, digest in listed.items():
             self.assertEqual(harness.sha256(out / path), digest, path)
         self.assertEqual({p.name for p in out.iterdir()}, {*listed, "manifest.json"})
@@ -102,6 +105,11 @@ class BakedFiles(harness.Case):
             expected = plain[n] if n >= 4 else plain[16 + n] * (1 - weight) + plain[n] * weight
             numpy.testing.assert_allclose(loop[n], expected, atol=1e-5)
         self.assertEqual(harness.read_windpack(out / "wind.windpack")[0]["flags"], 1)
+        steps = [numpy.hypot(*numpy.moveaxis(loop[n] - loop[n - 1], -1, 0)).max() for n in range(16)]
+        seam = json.loads((out / "manifest.json").read_text())["time"]["seam"]
+        self.assertAlmostEqual(seam["change"], steps[0], delta=1e-4)
+        self.assertAlmostEqual(seam["largestStep"], max(steps[1:]), delta=1e-4)
+        self.assertLess(steps[0], max(steps[1:]))
 
     def test_a_lower_resolution_keeps_the_mean(self):
         full = numpy.load(self.bake("--seconds", 0.3, "--fps", 10, out="full") / "wind.npy")
@@ -111,9 +119,70 @@ class BakedFiles(harness.Case):
         numpy.testing.assert_allclose(small.mean(axis=(1, 2)), full.mean(axis=(1, 2)), atol=1e-5)
         self.assertEqual(harness.read_png(out / "flow.0002.png").shape, (9, 17, 4))
 
+    def test_ranges_baked_at_the_same_time_are_the_whole_bake(self):
+        args = ("--seconds", 0.8, "--fps", 10, "--from", 0.1, "--loop", "--vmax", 12, "--response", "--graph")
+        whole = self.bake(*args, out="whole", formats="png")
+        parted = self.folder / "parted"
+        command = [harness.WINDLOOM, "bake", self.project, "--backend", "cpu", "--out", parted, "--format", "png",
+                   *map(str, args)]
+        ranges = ("4-5", "0", "6-7", "1-3")
+        children = [subprocess.Popen([*command, "--frames", part], stdout=subprocess.PIPE, text=True)
+                    for part in ranges]
+        words = [child.communicate(timeout=120)[0] for child in children]
+        self.assertEqual([child.returncode for child in children], [0, 0, 0, 0])
+        self.assertEqual(sum("still missing" in text for text in words), 3)
+        self.assertEqual({path.name for path in parted.iterdir()}, {path.name for path in whole.iterdir()})
+        for path in whole.iterdir():
+            self.assertEqual(harness.sha256(path), harness.sha256(parted / path.name), path.name)
+
+    def test_a_warm_up_is_the_wind_of_a_later_start(self):
+        late = numpy.load(self.bake("--from", 2, "--warm-up", 0.5, "--seconds", 0.1, "--fps", 10, out="late") / "wind.npy")
+        early = numpy.load(self.bake("--from", 2, "--seconds", 0.1, "--fps", 10, out="early") / "wind.npy")
+        self.assertGreater(numpy.abs(late - early).max(), 0.05, "what blew before is left out")
+        full = numpy.load(self.bake("--from", 2, "--warm-up", 2, "--seconds", 0.1, "--fps", 10, out="full") / "wind.npy")
+        numpy.testing.assert_array_equal(full, early)
+        done = self.call("bake", self.project, "--out", self.folder / "no", "--format", "npy", "--from", 1, "--warm-up", 2,
+                         status=2)
+        self.assertIn("--from 2", done.stderr)
+
+    def test_uv_flow_counts_texture_coordinates(self):
+        for preset, columns, rows, signs in (("generic", 1, 1, (1, 1)), ("unreal", 1, 1, (1, 1)),
+                                             ("unity", -1, -1, (-1, 1)), ("unity-negz", 1, 1, (1, -1))):
+            with self.subTest(preset=preset):
+                out = self.bake("--from", 0.3, "--seconds", 0.1, "--fps", 10, "--preset", preset, "--space", "uv",
+                                out=preset, formats="npy,png")
+                manifest = json.loads((out / "manifest.json").read_text())
+                self.assertEqual((manifest["space"], manifest["units"]), ("uv", "uv/s"))
+                wind = numpy.load(out / "wind.npy")[0]
+                expected = (wind * signs / (HIGH[0] - LOW[0], HIGH[1] - LOW[1]))[::rows, ::columns]
+                codes = harness.read_png(out / "flow.0000.png")
+                numpy.testing.assert_allclose((codes[..., :2] - 128) / 127 * manifest["vmax"], expected,
+                                              atol=manifest["vmax"] / 127 * 0.501)
+
+    def test_every_manifest_keeps_to_its_schema(self):
+        schema = json.loads((pathlib.Path(__file__).parents[3] / "docs" / "manifest.schema.json").read_text())
+        jsonschema.Draft202012Validator.check_schema(schema)
+        formats = self.formats()
+        for preset in ("generic", "unreal", "unity", "unity-negz", "godot"):
+            with self.subTest(preset=preset):
+                out = self.bake("--from", 0.2, "--seconds", 0.4, "--fps", 10, "--preset", preset, "--response", "--graph",
+                                "--loop", out=preset, formats=",".join(formats))
+                manifest = json.loads((out / "manifest.json").read_text())
+                jsonschema.Draft202012Validator(schema).validate(manifest)
+                for entry in manifest["files"]:
+                    self.assertEqual(harness.sha256(out / entry["path"]), entry["sha256"], entry["path"])
+                self.assertEqual({path.name for path in out.iterdir()},
+                                 {"manifest.json", *(entry["path"] for entry in manifest["files"])})
+
+    def formats(self):
+        """All formats that this build can write."""
+        words = self.call("bake", "--list-formats", "--json").stdout
+        return [entry["name"] for entry in json.loads(words)["formats"] if not entry["missing"]]
+
     def test_the_same_bake_gives_the_same_bytes_for_any_number_of_threads(self):
-        one = self.bake("--seconds", 0.2, "--threads", 1, out="one", formats="npy,png,windpack")
-        two = self.bake("--seconds", 0.2, "--threads", 2, out="two", formats="npy,png,windpack")
+        formats = ",".join(self.formats())
+        one = self.bake("--seconds", 0.2, "--threads", 1, out="one", formats=formats)
+        two = self.bake("--seconds", 0.2, "--threads", 2, out="two", formats=formats)
         for path in one.iterdir():
             self.assertEqual(harness.sha256(path), harness.sha256(two / path.name), path.name)
 

@@ -53,8 +53,8 @@ class BakeTrouble(harness.Case):
     def test_wrong_usage_names_what_was_expected(self):
         out = ("--out", self.folder / "out")
         for args, expected in (
-                (("--format", "gif"), "npy, png, windpack"),
-                (("--format", "npy", "--preset", "cryengine"), "generic, unreal, unity, godot"),
+                (("--format", "gif"), "npy, png, exr"),
+                (("--format", "npy", "--preset", "cryengine"), "generic, unreal, unity, unity-negz, godot"),
                 (("--format", "npy", "--resolution", "12"), "WxH"),
                 (("--format", "npy", "--resolution", "0x5"), "WxH"),
                 (("--format", "npy", "--resolution", "9000x5"), "8192"),

@@ -76,8 +76,8 @@ TEST(QualityControl, NeverGoesBelowItsLeastDetail) {
   EXPECT_EQ(quality.detail(), QualityControl::kLeastDetail);
 }
 
-/// A machine that isn't alone: each frame varies, some take three times as long, and over seconds everything gets slower
-/// and faster again. At times it steps the wind twice.
+/// A machine that isn't alone: each frame varies, some take three times as long, and over seconds everything gets
+/// slower and faster again. At times it steps the wind twice.
 struct NoisyMachine {
   double fixedMs, grassMs, exponent;
   std::mt19937 random;
