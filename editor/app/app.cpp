@@ -120,6 +120,7 @@ void App::readPreferences() {
   m_layout.right = float(preferences.number("layout.right", double(m_layout.right)));
   m_layout.bottom = float(preferences.number("layout.bottom", double(m_layout.bottom)));
   m_layout.timeline = float(preferences.number("layout.timeline", double(m_layout.timeline)));
+  m_export.readPreferences(preferences);
   m_live->setLiveGrid(preferences.number("play.fullGrid", 0) != 0 ? LiveGrid::Full : LiveGrid::Automatic);
   readOverlays();
 }
@@ -147,6 +148,7 @@ void App::writePreferences() {
   for (const OverlayKind& kind : overlayKinds()) {
     numbers["overlay." + std::string(kind.name)] = isOn(m_viewport.overlays, kind);
   }
+  m_export.keepPreferences(m_workspace.preferences);
   for (const auto& [name, range] : kOverlayRanges) numbers[name] = double(m_viewport.overlays.*range);
   numbers["window.maximised"] = m_window->maximised();
   if (!m_window->maximised() && !m_line.width) {
@@ -205,7 +207,10 @@ double App::waitSeconds() const {
 }
 
 PanelContext App::panelContext() {
-  return {m_workspace, m_live->session(), m_live->facts()};
+  PanelContext context{m_workspace, m_live->session(), m_live->facts()};
+  context.facts.liveLink = m_export.share().state();
+  context.facts.liveLinkFailed = m_export.share().failed();
+  return context;
 }
 
 void App::passKeys() {
@@ -358,6 +363,7 @@ void App::drawPicture(double seconds) {
   if (Session* session = m_live->session()) {
     PanelContext context = panelContext();
     m_probes.sample(context);
+    m_export.follow(context);
     drawn = m_viewport.updatePicture(*session, m_workspace, m_window->pixelRatio(), m_live->detail());
   }
   const ImVec4& back = m_look.palette.border;

@@ -61,6 +61,16 @@ bool takeNumbers(const ordered_json& value, std::map<std::string, double>& numbe
   return all;
 }
 
+bool takeTexts(const ordered_json& value, std::map<std::string, std::string>& texts) {
+  if (!value.is_object()) return false;
+  bool all = true;
+  for (const auto& [name, text] : value.items()) {
+    if (text.is_string()) texts[name] = text.get<std::string>();
+    all = all && text.is_string();
+  }
+  return all;
+}
+
 bool takeTheme(const ordered_json& value, Theme& theme) {
   if (value != "dark" && value != "light") return false;
   theme = value == "light" ? Theme::Light : Theme::Dark;
@@ -78,6 +88,11 @@ fs::path absolutePath(const fs::path& path) {
 double Preferences::number(const std::string& name, double fallback) const {
   const auto found = numbers.find(name);
   return found == numbers.end() ? fallback : found->second;
+}
+
+std::string Preferences::text(const std::string& name, const std::string& fallback) const {
+  const auto found = texts.find(name);
+  return found == texts.end() ? fallback : found->second;
 }
 
 void Preferences::usedFile(const fs::path& path) {
@@ -113,6 +128,7 @@ Preferences readPreferences(const fs::path& path, std::vector<std::string>* warn
     return v.is_object();
   });
   reader.read("numbers", "an object of numbers", [&](const auto& v) { return takeNumbers(v, preferences.numbers); });
+  reader.read("texts", "an object of texts", [&](const auto& v) { return takeTexts(v, preferences.texts); });
   reader.read("firstRunHintSeen", "true or false", [&](const auto& v) {
     if (v.is_boolean()) preferences.firstRunHintSeen = v.template get<bool>();
     return v.is_boolean();
@@ -132,6 +148,7 @@ Status writePreferences(const fs::path& path, const Preferences& preferences) {
     if (std::isfinite(value)) numbers[name] = value;
   }
   json["numbers"] = std::move(numbers);
+  json["texts"] = preferences.texts;
   json["firstRunHintSeen"] = preferences.firstRunHintSeen;
   if (path.has_parent_path()) {
     const Status made = makeFolder(path.parent_path());

@@ -18,9 +18,11 @@ struct Preferences {
   std::vector<std::string> recentFiles;   ///< newest first, at most kMaxRecent, each once
   std::string keymap = "{}";              ///< JSON object for ActionTable::applyKeymap
   std::map<std::string, double> numbers;  ///< whatever a panel wants to remember: "layout.leftWidth", "view.overlays"
+  std::map<std::string, std::string> texts;  ///< the same for words: "export.preset"
   bool firstRunHintSeen = false;
 
   [[nodiscard]] double number(const std::string& name, double fallback) const;
+  [[nodiscard]] std::string text(const std::string& name, const std::string& fallback) const;
   void usedFile(const std::filesystem::path& path);  ///< puts it first in recentFiles
   void forgetFile(const std::filesystem::path& path);
 };

@@ -1,8 +1,8 @@
 #include "editor/panels/export_panel.hpp"
 
-#include <algorithm>
-#include <cmath>
-
+#include "editor/core/size_text.hpp"
+#include "editor/panels/export_formats.hpp"
+#include "editor/panels/export_rows.hpp"
 #include "editor/widgets/icons.hpp"
 #include "editor/widgets/number_field.hpp"
 #include "editor/widgets/parameter_row.hpp"
@@ -10,237 +10,247 @@
 #include "engine/core/text.hpp"
 
 namespace windloom::editor {
-
 namespace {
 
-std::string bytesText(double bytes) {
-  static constexpr const char* kUnits[] = {"bytes", "kB", "MB", "GB", "TB"};
-  std::size_t unit = 0;
-  while (bytes >= 1000 && unit + 1 < std::size(kUnits)) {
-    bytes /= 1000;
-    ++unit;
-  }
-  return fixed(bytes, unit == 0 || bytes >= 100 ? 0 : 1) + " " + kUnits[unit];
+bool section(const char* title) {
+  ImGui::PushFont(look().strong);
+  const bool open = ImGui::CollapsingHeader(title, ImGuiTreeNodeFlags_DefaultOpen);
+  ImGui::PopFont();
+  markItem(std::string("export/section/") + title);
+  return open;
 }
 
-std::string secondsText(double seconds) {
-  if (seconds < 90) return fixed(std::ceil(seconds), 0) + " s";
-  return fixed(seconds / 60, 0) + " min";
-}
-
-void label(const char* text, const char* help) {
-  ImGui::TableNextRow();
-  ImGui::TableNextColumn();
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(text);
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", help);
-  ImGui::TableNextColumn();
-  ImGui::SetNextItemWidth(-1);
-}
-
-void number(const char* name, double& value, double fallback, const NumberFormat& format) {
-  const NumberEdit edit = numberField(name, value, false, format);
-  if (edit.changed) value = std::clamp(edit.value, format.min, format.max);
-  if (edit.reset) value = fallback;
+/// Two buttons share a row.
+float halfWidth() {
+  return (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
 }
 
 }  // namespace
 
-ExportPanel::ExportPanel() {
-  // What games read: a picture for shaders and the pack of our runtime.
-  for (const char* name : {"png", "windpack"})
-    if (writerKindNamed(name)) m_formats.insert(name);
+void ExportPanel::readPreferences(const Preferences& preferences) {
+  m_choices = exportChoices(preferences);
+  m_share.read(preferences);
 }
 
-ExportPanel::~ExportPanel() {
-  m_cancel = true;
-  if (m_worker.joinable()) m_worker.join();
+void ExportPanel::keepPreferences(Preferences& preferences) const {
+  keepExportChoices(preferences, m_choices);
+  m_share.keep(preferences);
 }
 
 std::string ExportPanel::folderFor(const PanelContext& context) const {
-  if (!m_folder.empty()) return m_folder;
   const std::filesystem::path& path = context.workspace.document.path();
+  if (std::string chosen = exportFolder(context.workspace.preferences, path.string()); !chosen.empty()) return chosen;
   if (path.empty()) return {};
   std::string stem = path.filename().string();
   stem = stem.substr(0, stem.find('.'));
   return (path.parent_path() / (stem + "-wind")).string();
 }
 
-BakeRequest ExportPanel::request(const Project& project) const {
-  BakeRequest request;
-  for (const WriterKind& kind : writerKinds())
-    if (m_formats.contains(kind.name)) request.formats.push_back(&kind);
-  request.plan.from = m_from;
-  request.plan.fps = m_fps;
-  request.plan.frames = std::clamp(int(std::lround(m_seconds * m_fps)), 1, kMaxBakeFrames);
-  request.loop = m_loop;
-  if (m_loop) request.plan.crossfade = crossfadeFor(request.plan.frames);
-  if (!m_fullResolution && m_resolution != project.field->resolution) request.resolution = m_resolution;
-  request.preset = m_preset;
-  return request;
+void ExportPanel::drawFolderRow(PanelContext& context) {
+  rowLabel("Folder", "Where the files go. Empty: a folder beside the project.");
+  Preferences& preferences = context.workspace.preferences;
+  const std::string project = context.workspace.document.path().string(), there = folderFor(context);
+  const std::string hint = there.empty() ? std::string() : std::filesystem::path(there).filename().string();
+  std::string folder = exportFolder(preferences, project);
+  if (textField("export/folder", folder, hint.c_str())) keepExportFolder(preferences, project, folder);
+  if (!there.empty() && ImGui::IsItemHovered()) wrappedTooltip(there);
 }
 
-void ExportPanel::drawFormats() {
-  for (const WriterKind& kind : writerKinds()) {
-    const std::string name(kind.name);
-    bool on = m_formats.contains(name);
-    if (ImGui::Checkbox(name.c_str(), &on)) {
-      if (on)
-        m_formats.insert(name);
-      else
-        m_formats.erase(name);
-    }
-    markItem("export/format/" + name);
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(kind.help).c_str());
+void ExportPanel::drawSettings(PanelContext& context, const BakeHeader& header, const BakeRequest& request) {
+  if (beginRows("export")) {
+    drawPresetRow(m_choices);
+    drawFolderRow(context);
+    endRows();
+  }
+  if (section("Formats")) {
+    drawFormats(m_choices, header, request);
+    drawFormatWarnings(header, request);
+    if (hasFullScale(request)) m_clipping.draw();
+  }
+  if (section("Recording") && beginRows("recording")) {
+    drawRecordingRows(m_choices, context.project());
+    endRows();
+  }
+  if (section("Contents") && beginRows("contents")) {
+    drawContentRows(m_choices, request);
+    endRows();
   }
 }
 
-void ExportPanel::drawSettings(PanelContext& context) {
-  if (!beginRows("export")) return;
-  label("Folder", "Where the files go. Empty: a folder beside the project.");
-  textField("export/folder", m_folder, folderFor(context).c_str());
-  label("For", "Axes, units and row order of the game engine.");
-  if (ImGui::BeginCombo("##preset", std::string(rulesOf(m_preset).name).c_str())) {
-    for (const PresetRules& rules : presets()) {
-      if (ImGui::Selectable(std::string(rules.name).c_str(), rules.preset == m_preset)) m_preset = rules.preset;
-      if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", std::string(rules.help).c_str());
-    }
-    ImGui::EndCombo();
+void ExportPanel::drawLiveLink() {
+  if (!section("Live link")) return;
+  if (beginRows("live")) {
+    rowLabel("Share", "A game on this machine sees the wind as it blows here, without files (windloom_live).");
+    bool on = m_share.on();
+    if (ImGui::Checkbox("##share", &on)) m_share.setOn(on);
+    markItem("export/live");
+    rowLabel("Name", "What the game asks for.");
+    std::string name = m_share.name();
+    if (textField("export/live_name", name)) m_share.setName(name);
+    endRows();
   }
-  markItem("export/preset");
-  label("Formats", "Every format is written from the same recording.");
-  ImGui::BeginGroup();
-  drawFormats();
-  ImGui::EndGroup();
-  label("From", "Time of the first frame; the wind has blown that long before it.");
-  number("export/from", m_from, 2, {"s", 0, 3600, 0.5, false});
-  label("Length", "Length of the recording.");
-  number("export/seconds", m_seconds, 4, {"s", 0, 3600, 0.5, false});
-  label("Frames a second", "The game blends between frames: 10 to 15 are enough for wind.");
-  number("export/fps", m_fps, 15, {"1/s", 0.1, 240, 1, false});
-  label("Loop", "Blends the end into the beginning, so that it can play for ever.");
-  ImGui::Checkbox("##loop", &m_loop);
-  label("Project's grid",
-        "Off: the frames are resampled to the resolution below; the wind itself always runs on the project's grid.");
-  ImGui::Checkbox("##full", &m_fullResolution);
-  if (!m_fullResolution) {
-    label("Resolution", "Cells of a written frame.");
-    const float width = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemInnerSpacing.x) / 2;
-    for (int i = 0; i < 2; ++i) {
-      if (i > 0) ImGui::SameLine(0, ImGui::GetStyle().ItemInnerSpacing.x);
-      double side = double(m_resolution[i]);
-      ImGui::SetNextItemWidth(width);
-      number(i == 0 ? "export/width" : "export/height", side, 256, {"", 8, 4096, 8, true});
-      m_resolution[i] = int(side);
-    }
-  }
-  endRows();
-}
-
-void ExportPanel::drawSize(const PanelContext& context) {
-  const Project& project = context.project();
-  const BakeRequest wanted = request(project);
-  const glm::ivec2 resolution = wanted.resolution.value_or(project.field->resolution);
-  double bytes = 0;
-  for (const WriterKind* kind : wanted.formats) bytes += double(kind->bytes(headerOf(project, wanted)));
-  const int recorded = wanted.plan.frames + wanted.plan.crossfade;
-  const double steps = (m_from + recorded / m_fps) / double(project.field->timeStep);
-  ImGui::Spacing();
+  const std::string state = m_share.state();
+  if (state.empty()) return;
   ImGui::PushTextWrapPos(0);
-  ImGui::TextDisabled("%d frames of %d x %d, at most %s; %s solver steps on %d x %d", wanted.plan.frames, resolution.x,
-                      resolution.y, bytesText(bytes).c_str(), fixed(steps, 0).c_str(), project.field->resolution.x,
-                      project.field->resolution.y);
+  ImGui::TextColored(m_share.failed() ? look().palette.error : look().palette.good, "%s", state.c_str());
   ImGui::PopTextWrapPos();
 }
 
-void ExportPanel::start(PanelContext& context) {
-  BakeRequest wanted = request(context.workspace.document.committed());
-  wanted.folder = folderFor(context);
-  if (m_worker.joinable()) m_worker.join();
-  m_cancel = m_ended = false;
-  m_running = true;
-  m_part = 0;
-  m_phase = BakePhase::Recording;
-  m_startedAt = std::chrono::steady_clock::now();
-  m_outcome = {};
-  m_worker = std::thread([this, project = context.workspace.document.committed(), wanted] { run(project, wanted); });
-}
-
-/// The worker: the project is a value, so edits meanwhile don't reach it.
-void ExportPanel::run(const Project& project, const BakeRequest& wanted) {
-  SimulationOptions options;
-  options.backend = Backend::Cpu;
-  // One core stays with the window.
-  options.threads = std::max(1, int(std::thread::hardware_concurrency()) - 1);
-  const auto finished = [&]() -> Result<BakeReport> {
-    auto simulation = Simulation::create(project, options);
-    if (!simulation) return simulation.error();
-    return bake(**simulation, wanted, [this](const BakeProgress& progress) {
-      m_phase = progress.phase;
-      m_part = progress.part;
-      return !m_cancel;
-    });
-  }();
-  Outcome outcome;
-  if (!finished)
-    outcome = {true, finished.error().text()};
-  else if (finished->cancelled)
-    outcome = {false, "Export cancelled; nothing was written."};
-  else
-    outcome = {false, "Exported " + std::to_string(finished->files.size()) + " files, " +
-                          bytesText(double(finished->bytes)) + ", to " + wanted.folder.string()};
-  {
-    const std::lock_guard lock(m_mutex);
-    m_outcome = std::move(outcome);
-  }
-  m_ended = true;
-}
-
-void ExportPanel::poll(PanelContext& context) {
-  if (!m_ended) return;
-  m_worker.join();
-  m_running = m_ended = false;
-  const std::lock_guard lock(m_mutex);
-  if (m_outcome.failed)
-    logError(m_outcome.text);
-  else
-    logInfo(m_outcome.text);
-  context.workspace.say(m_outcome.failed ? MessageKind::Error : MessageKind::Info, m_outcome.text);
+void ExportPanel::drawTotal(PanelContext& context, const BakeHeader& header, const BakeRequest& request) {
+  const glm::ivec2 cells = header.grid.resolution;
+  const ExportSize size = sizeOf(header, request);
+  std::string text = std::to_string(header.frames) + " frames of " + std::to_string(cells.x) + " x " +
+                     std::to_string(cells.y) + "\n" + sizeText(size);
+  const std::string folder = folderFor(context);
+  const std::optional<double> room = folder.empty() ? std::nullopt : m_freeSpace.of(folder);
+  if (room) text += " of " + bytesText(*room) + " free";
+  const bool tooMuch = room && size.bytes > *room;
+  ImGui::PushTextWrapPos(0);
+  ImGui::TextColored(tooMuch ? look().palette.error : look().palette.muted, "%s", text.c_str());
+  ImGui::PopTextWrapPos();
+  markItem("export/total");
+  look().map.fact("export.total", text);
 }
 
 void ExportPanel::drawProgress() {
-  const double part = m_part,
-               elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_startedAt).count();
-  const bool recording = m_phase == BakePhase::Recording;
-  std::string text = std::string(recording ? "recording " : "writing ") + fixed(part * 100, 0) + "%";
-  // The estimate is for the recording: it takes nearly all of the time.
-  if (recording && part > 0.02) text += ", about " + secondsText(elapsed * (1 - part) / part) + " left";
-  ImGui::ProgressBar(float(part), {-1, 0}, text.c_str());
+  const ExportRun::Progress progress = m_run.progress();
+  std::string text = progress.phase == BakePhase::Recording ? "recording " : "writing ";
+  text += fixed(progress.part * 100, 0) + "%";
+  if (progress.leftSeconds) text += ", about " + durationText(*progress.leftSeconds) + " left";
+  ImGui::ProgressBar(float(progress.part), {-1, 0}, text.c_str());
+  if (ImGui::IsItemHovered()) wrappedTooltip(progress.onGpu ? "Runs on the GPU." : "Runs on the processor.");
   markItem("export/progress");
-  ImGui::BeginDisabled(m_cancel);
-  if (ImGui::Button("Cancel", {-1, 0})) m_cancel = true;
+  ImGui::BeginDisabled(progress.cancelling);
+  if (ImGui::Button(progress.cancelling ? "Cancelling..." : "Cancel", {-1, 0})) {
+    m_run.cancel();
+    // Who cancels doesn't want it begun again by the next edit.
+    m_last.reset();
+    m_repeat.forget();
+  }
   ImGui::EndDisabled();
   markItem("export/cancel");
 }
 
-void ExportPanel::draw(PanelContext& context) {
-  ImGui::BeginDisabled(m_running);
-  drawSettings(context);
-  drawSize(context);
-  ImGui::EndDisabled();
-  ImGui::Spacing();
-  if (m_running) return drawProgress();
-  const bool ready = !m_formats.empty() && !folderFor(context).empty();
-  ImGui::BeginDisabled(!ready);
-  if (ImGui::Button("Export", {-1, 0})) start(context);
-  ImGui::EndDisabled();
-  markItem("export/start");
+void ExportPanel::drawOutcome(PanelContext& context) {
+  if (!m_outcome) return;
+  using Kind = ExportRun::Outcome::Kind;
+  const Palette& palette = look().palette;
+  const Kind kind = m_outcome->kind;
   ImGui::PushTextWrapPos(0);
-  if (m_formats.empty()) ImGui::TextDisabled("Choose at least one format.");
-  if (folderFor(context).empty()) ImGui::TextDisabled("Save the project first, or type a folder.");
-  if (!m_outcome.text.empty())
-    ImGui::TextColored(m_outcome.failed ? look().palette.error : look().palette.good, "%s", m_outcome.text.c_str());
+  ImGui::TextColored(kind == Kind::Failed ? palette.error
+                     : kind == Kind::Done ? palette.good
+                                          : palette.muted,
+                     "%s", m_outcome->text.c_str());
   ImGui::PopTextWrapPos();
+  markItem("export/outcome");
+  if (kind != Kind::Done) return;
+  const float width = halfWidth();
+  if (ImGui::Button("Open folder", {width, 0})) {
+    if (const Status opened = m_opener.open(m_outcome->folder); !opened)
+      context.workspace.say(MessageKind::Error, opened.error().text());
+  }
+  markItem("export/open");
+  ImGui::SameLine();
+  if (ImGui::Button("Copy path", {width, 0})) {
+    context.workspace.writeClipboardText(m_outcome->folder.string());
+    context.workspace.say(MessageKind::Info, "Copied " + m_outcome->folder.string());
+  }
+  markItem("export/copy");
+}
+
+void ExportPanel::drawRun(PanelContext& context, const BakeRequest& request) {
+  if (running()) {
+    drawProgress();
+  } else {
+    const bool ready = !request.formats.empty() && !folderFor(context).empty();
+    ImGui::BeginDisabled(!ready);
+    if (ImGui::Button("Export", {-1, 0})) start(context, request);
+    ImGui::EndDisabled();
+    markItem("export/start");
+    if (!ready) {
+      ImGui::PushTextWrapPos(0);
+      ImGui::TextDisabled(request.formats.empty() ? "Choose at least one format."
+                                                  : "Save the project first, or type a folder.");
+      ImGui::PopTextWrapPos();
+    }
+  }
+  ImGui::Checkbox("Export again after changes", &m_choices.again);
+  markItem("export/again");
+  look().map.fact("export/again", m_choices.again ? "yes" : "no");
+  if (ImGui::IsItemHovered())
+    wrappedTooltip("The last export is done again 2 s after an edit, so that a game that follows the folder sees it.");
+  if (!running()) drawOutcome(context);
+}
+
+void ExportPanel::draw(PanelContext& context) {
+  m_drawnFrame = ImGui::GetFrameCount();
+  const BakeRequest request = bakeRequest(m_choices, context.project());
+  const BakeHeader header = headerOf(context.project(), request);
+  // What starts it stays in sight, whatever is open above.
+  ImGui::BeginChild("settings", {0, -m_footerHeight});
+  ImGui::BeginDisabled(running());
+  drawSettings(context, header, request);
+  ImGui::EndDisabled();
+  drawLiveLink();
+  ImGui::EndChild();
+  const float top = ImGui::GetCursorPosY();
+  ImGui::Separator();
+  drawTotal(context, header, request);
+  drawRun(context, request);
+  m_footerHeight = ImGui::GetCursorPosY() - top;
+  look().map.fact("export.running", running() ? "yes" : "no");
+  look().map.fact("export.ended", std::to_string(m_ended));
+  look().map.fact("export.outcome", m_outcome ? m_outcome->text : "");
+}
+
+void ExportPanel::start(PanelContext& context, BakeRequest request) {
+  const Document& document = context.workspace.document;
+  request.folder = folderFor(context);
+  m_outcome.reset();
+  ExportRun::Job job{document.committed(), std::move(request), {}};
+  if (m_choices.ownWarmUp) job.warmUp = m_choices.warmUp;
+  m_last = Last{job, document.path()};
+  m_repeat.doneAt(document.editCount());
+  m_run.start(std::move(job));
+}
+
+/// The last export once more, where the project changed and nothing else is under way.
+void ExportPanel::repeat(PanelContext& context) {
+  const Document& document = context.workspace.document;
+  if (m_last && m_last->project != document.path()) {
+    m_last.reset();
+    m_repeat.forget();
+  }
+  if (!m_choices.again || !m_last || running() || document.previewing()) return;
+  if (!m_repeat.due(document.editCount(), ImGui::GetTime())) return;
+  m_outcome.reset();
+  m_last->job.project = document.committed();
+  m_run.start(m_last->job);
+}
+
+void ExportPanel::poll(PanelContext& context) {
+  if (const auto problem = m_opener.poll()) context.workspace.say(MessageKind::Error, problem->text());
+  if (auto outcome = m_run.poll()) {
+    const bool failed = outcome->kind == ExportRun::Outcome::Kind::Failed;
+    if (failed)
+      logError(outcome->text);
+    else
+      logInfo(outcome->text);
+    context.workspace.say(failed ? MessageKind::Error : MessageKind::Info, outcome->text);
+    m_outcome = std::move(*outcome);
+    ++m_ended;
+  }
+  repeat(context);
+}
+
+void ExportPanel::follow(PanelContext& context) {
+  const double now = ImGui::GetTime();
+  const glm::bvec2 wraps = wrapsOf(*context.project().field);
+  m_share.update(context.session, {wraps.x, wraps.y}, now);
+  look().map.fact("live", m_share.state());
+  const bool shown = m_drawnFrame == ImGui::GetFrameCount();
+  if (shown && context.session && hasFullScale(bakeRequest(m_choices, context.project())))
+    m_clipping.sample(*context.session, now, m_choices.ownFullScale ? float(m_choices.fullScale) : 0.0f);
 }
 
 }  // namespace windloom::editor

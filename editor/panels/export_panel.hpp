@@ -1,65 +1,67 @@
 #pragma once
-// Exports the wind for a game: what, how long, how fine, with the size it will have; runs beside the window on the CPU
-// backend with progress, an estimate and Cancel.
+// Exports the wind for a game: what, how long, how fine, with the size it will have; runs beside the window with
+// progress, an estimate and Cancel, and again after edits where that is wished. The live link is switched here, too.
 
-#include <atomic>
-#include <chrono>
-#include <mutex>
 #include <optional>
-#include <set>
 #include <string>
-#include <string_view>
-#include <thread>
+#include <utility>
 
+#include "editor/core/folder_opener.hpp"
+#include "editor/core/repeat_after_edit.hpp"
+#include "editor/panels/clipping_view.hpp"
+#include "editor/panels/export_request.hpp"
+#include "editor/panels/export_run.hpp"
+#include "editor/panels/live_share.hpp"
 #include "editor/panels/panel_context.hpp"
-#include "engine/bake/bake.hpp"
 
 namespace windloom::editor {
 
 class ExportPanel {
  public:
-  ExportPanel();
-  /// Cancels a running export and waits for it.
-  ~ExportPanel();
-  ExportPanel(const ExportPanel&) = delete;
-  ExportPanel& operator=(const ExportPanel&) = delete;
-
-  /// Once a frame, shown or not: tells when an export ended.
+  /// Once a frame, shown or not: tells when an export ended, and begins the next one after changes.
   void poll(PanelContext& context);
   void draw(PanelContext& context);
+  /// Once a frame after the session advanced: shares the wind and looks at its speeds.
+  void follow(PanelContext& context);
   /// Asks for the panel to be shown.
   void show() { m_wanted = true; }
   [[nodiscard]] bool takeShow() { return std::exchange(m_wanted, false); }
-  [[nodiscard]] bool running() const { return m_running; }
+  [[nodiscard]] bool running() const { return m_run.running(); }
+  [[nodiscard]] const LiveShare& share() const { return m_share; }
+
+  void readPreferences(const Preferences& preferences);
+  void keepPreferences(Preferences& preferences) const;
 
  private:
-  struct Outcome {
-    bool failed = false;
-    std::string text;
-  };
-  void drawSettings(PanelContext& context);
-  void drawFormats();
-  void drawSize(const PanelContext& context);
+  void drawSettings(PanelContext& context, const BakeHeader& header, const BakeRequest& request);
+  void drawFolderRow(PanelContext& context);
+  void drawLiveLink();
+  void drawTotal(PanelContext& context, const BakeHeader& header, const BakeRequest& request);
+  void drawRun(PanelContext& context, const BakeRequest& request);
   void drawProgress();
-  void start(PanelContext& context);
-  void run(const Project& project, const BakeRequest& request);
-  [[nodiscard]] BakeRequest request(const Project& project) const;
+  void drawOutcome(PanelContext& context);
+  void start(PanelContext& context, BakeRequest request);
+  void repeat(PanelContext& context);
   [[nodiscard]] std::string folderFor(const PanelContext& context) const;
 
-  std::string m_folder;  ///< empty: beside the project
-  std::set<std::string, std::less<>> m_formats;
-  Preset m_preset = Preset::Generic;
-  double m_from = 2, m_seconds = 4, m_fps = 15;
-  glm::ivec2 m_resolution{256, 256};
-  bool m_fullResolution = false, m_loop = true;
+  ExportChoices m_choices;
+  FreeSpace m_freeSpace;
+  ClippingView m_clipping;
+  LiveShare m_share;
+  FolderOpener m_opener;
 
-  std::thread m_worker;
-  std::atomic<bool> m_running = false, m_cancel = false, m_ended = false;
-  std::atomic<double> m_part = 0;
-  std::atomic<BakePhase> m_phase = BakePhase::Recording;
-  std::chrono::steady_clock::time_point m_startedAt;
-  std::mutex m_mutex;  // for m_outcome
-  Outcome m_outcome;
+  ExportRun m_run;
+  std::optional<ExportRun::Outcome> m_outcome;
+  struct Last {
+    ExportRun::Job job;
+    std::filesystem::path project;
+  };
+  std::optional<Last> m_last;  ///< what was exported, or is being
+  RepeatAfterEdit m_repeat;
+
+  int m_ended = 0;  ///< exports of this session
+  float m_footerHeight = 0;  ///< px, as drawn last
+  int m_drawnFrame = -1;
   bool m_wanted = false;
 };
 

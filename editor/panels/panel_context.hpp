@@ -15,6 +15,8 @@ struct FrameFacts {
   double framesPerSecond = 0;
   float quality = 1;         ///< of the grass, 0..1
   bool fullQuality = false;  ///< the user asked for all of it
+  std::string liveLink;      ///< what the live link does; empty while it is off
+  bool liveLinkFailed = false;
 };
 
 struct PanelContext {

@@ -51,6 +51,7 @@ std::string fitted(const std::string& text, float width) {
 
 struct Item {
   std::string name, text, help;
+  bool failed = false;
 };
 
 std::vector<Item> machineItems(const PanelContext& context) {
@@ -88,6 +89,9 @@ std::vector<Item> machineItems(const PanelContext& context) {
          facts.fullQuality ? "full quality" : std::string("quality ") + fixed(double(facts.quality) * 100, 0) + "%",
          "How much of the grass is drawn to keep the frame time; View > Full quality draws all of it"});
   }
+  if (!facts.liveLink.empty())
+    items.insert(items.begin(), {"live", facts.liveLinkFailed ? "no live link" : "live link",
+                                 "Live link: " + facts.liveLink, facts.liveLinkFailed});
   // "llvmpipe (LLVM 15.0.6, 256 bits)", "NVIDIA H200/PCIe/SSE2": what comes first says which it is.
   items.insert(items.begin(), {"gpu", facts.gpu.substr(0, facts.gpu.find_first_of("(/")), facts.gpu});
   return items;
@@ -145,7 +149,7 @@ void StatusBar::draw(PanelContext& context) {
   ImGui::PushFont(small);
   for (const Item& item : items) {
     ImGui::SameLine(x + gap);
-    ImGui::TextColored(palette.muted, "%s", item.text.c_str());
+    ImGui::TextColored(item.failed ? palette.error : palette.muted, "%s", item.text.c_str());
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", item.help.c_str());
     markItem("status/" + item.name);
     look().map.fact("status." + item.name, item.text);

@@ -179,6 +179,24 @@ void endRows() {
   ImGui::EndTable();
 }
 
+void wrappedTooltip(std::string_view text) {
+  ImGui::BeginTooltip();
+  ImGui::PushTextWrapPos(scaled(320));
+  ImGui::TextUnformatted(text.data(), text.data() + text.size());
+  ImGui::PopTextWrapPos();
+  ImGui::EndTooltip();
+}
+
+void rowLabel(const char* label, const char* help) {
+  ImGui::TableNextRow();
+  ImGui::TableNextColumn();
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(label);
+  if (help[0] != 0 && ImGui::IsItemHovered()) wrappedTooltip(help);
+  ImGui::TableNextColumn();
+  ImGui::SetNextItemWidth(-1);
+}
+
 std::optional<RowChange> parameterRow(const InspectorRow& row, std::string_view prefix) {
   const std::string name = std::string(prefix) + "/" + std::string(row.info.key);
   ImGui::TableNextRow();

@@ -24,6 +24,13 @@ struct RowChange {
 /// "inspector/arrow" gives "inspector/arrow/strength".
 std::optional<RowChange> parameterRow(const InspectorRow& row, std::string_view prefix);
 
+/// Begins a row that is no parameter of the project: the label, help on hovering; the value widget comes next and takes
+/// the whole width.
+void rowLabel(const char* label, const char* help);
+
+/// A tooltip with line breaks where it is long; while the item is hovered.
+void wrappedTooltip(std::string_view text);
+
 /// The table that rows are drawn in; endRows only where it gave true.
 bool beginRows(const char* name);
 void endRows();

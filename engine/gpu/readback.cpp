@@ -75,13 +75,13 @@ bool ReadbackRing::request(const Buffer& source, std::size_t offset, std::size_t
   return true;
 }
 
-bool ReadbackRing::request(const Texture& source, GLenum pixelFormat, GLenum pixelType, long tag) {
+bool ReadbackRing::request(GLuint texture, GLenum pixelFormat, GLenum pixelType, long tag) {
   Slot* slot = freeSlot();
   if (slot == nullptr) return false;
   glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
   glPixelStorei(GL_PACK_ALIGNMENT, 1);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, slot->buffer.name());
-  glGetTextureImage(source.name(), 0, pixelFormat, pixelType, static_cast<GLsizei>(m_bytes), nullptr);
+  glGetTextureImage(texture, 0, pixelFormat, pixelType, static_cast<GLsizei>(m_bytes), nullptr);
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   slot->bytes = m_bytes;
   slot->tag = tag;

@@ -27,7 +27,10 @@ class ReadbackRing {
   /// and the answer is false. Issues the barrier for shader writes to the buffer itself.
   bool request(const Buffer& source, std::size_t offset, std::size_t bytes, long tag);
   /// The same for level 0 of a 2D texture in tightly packed rows.
-  bool request(const Texture& source, GLenum pixelFormat, GLenum pixelType, long tag);
+  bool request(const Texture& source, GLenum pixelFormat, GLenum pixelType, long tag) {
+    return request(source.name(), pixelFormat, pixelType, tag);
+  }
+  bool request(GLuint texture, GLenum pixelFormat, GLenum pixelType, long tag);
 
   struct Arrival {
     long tag = 0;

@@ -73,6 +73,8 @@ class SessionImpl final : public Session {
   glm::vec2 windAt(glm::vec2 world) override;
   void watch(std::vector<glm::vec2> places) override { m_watch.setPlaces(std::move(places)); }
   std::vector<WindSample> takeSamples() override { return m_watch.take(); }
+  void askField() override { m_field.ask(*m_simulation); }
+  std::shared_ptr<const FieldSnapshot> field() override { return m_field.newest(); }
   [[nodiscard]] const SessionStatus& status() override;
 
  private:
@@ -86,6 +88,7 @@ class SessionImpl final : public Session {
   void fitGridToStep(double stepMs);
   void seekSlice();
   void timeJumped();
+  void windChanged();
   WindTexture windTexture();
   bool uploadWind();
   FrameInput frameInput();
@@ -94,6 +97,7 @@ class SessionImpl final : public Session {
   std::unique_ptr<FrameRenderer> m_renderer;
   WindReadout m_readout;
   WindWatch m_watch;
+  FieldReadout m_field;
   LoopRange m_loop;
   std::optional<Seek> m_seek;
   std::vector<ArrowForce> m_transient;
@@ -128,7 +132,7 @@ Status SessionImpl::start(const Project& project) {
 /// Brings the live grid to what backend and choice ask for.
 Status SessionImpl::fitGrid() {
   m_stepMs.clear();
-  m_copiedStep = -1;
+  windChanged();
   m_grid.reset();
   if (m_liveGrid == LiveGrid::Full) return m_simulation->setResolution(std::nullopt);
   // Most GPUs hold any project's grid; on a CPU a first step of it could stop the window for long.
@@ -141,7 +145,7 @@ Status SessionImpl::setProject(const Project& project) {
   const Shared<SolverSettings> solver = m_simulation->project().solver;
   const double oldStep = timeStep();
   if (Status set = m_simulation->setProject(project); !set) return set;
-  m_copiedStep = -1;
+  windChanged();
   m_simulation->pinCheckpoint(m_loop.on ? m_simulation->stepAt(m_loop.in) : 0);
   // What was done of the way so far belongs to the old project.
   const bool otherWay = !m_simulation->runsFromStart() || timeStep() != oldStep;
@@ -156,9 +160,15 @@ Status SessionImpl::setLiveGrid(LiveGrid choice) {
   return fitGrid();
 }
 
+/// Copies of the wind are not of what blows now, though no step was done.
+void SessionImpl::windChanged() {
+  m_copiedStep = -1;
+  m_field.touch();
+}
+
 void SessionImpl::timeJumped() {
   m_owedSeconds = 0;
-  m_copiedStep = -1;
+  windChanged();
   m_readout.forget();
   m_watch.timeJumped();
 }
@@ -236,7 +246,7 @@ void SessionImpl::fitGridToStep(double stepMs) {
   if (!m_grid || !m_grid->stepDone(stepMs)) return;
   if (Status set = m_simulation->setResolution(m_grid->resolution()); !set) logError(set.error().text());
   m_stepMs.clear();
-  m_copiedStep = -1;
+  windChanged();
 }
 
 void SessionImpl::advance(double wallSeconds) {
@@ -277,7 +287,7 @@ void SessionImpl::runTo(double seconds) {
     m_renderer->advance(frameInput());
   }
   m_simulation->runTo(seconds);
-  m_copiedStep = -1;
+  windChanged();
 }
 
 /// The CPU backend's field as a texture, copied when a step has been done since the last time.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/render/frame_renderer.hpp"
+#include "engine/session/field_readout.hpp"
 #include "engine/session/simulation.hpp"
 
 namespace windloom {
@@ -108,6 +109,11 @@ class Session {
   /// What came since the last call, by ascending time but for where time went back. On the GPU backend samples come a
   /// few frames late, and some may be left out.
   virtual std::vector<WindSample> takeSamples() = 0;
+  /// Asks for the whole field as it is now; nothing where that is known or on its way. It comes with field(): at once
+  /// on the CPU backend, some frames later on the GPU, so that nothing waits.
+  virtual void askField() = 0;
+  /// The newest that came; never null. Whoever keeps it keeps it unchanged.
+  virtual std::shared_ptr<const FieldSnapshot> field() = 0;
   [[nodiscard]] virtual const SessionStatus& status() = 0;
 };
 

@@ -102,6 +102,53 @@ TEST_F(LiveSession, AirBlowsAlongADrawnArrow) {
   EXPECT_GT(wind.y, 3.0f);
 }
 
+TEST_F(LiveSession, TheWholeFieldComesFromBothBackends) {
+  std::vector<glm::vec2> fields[2];
+  for (const Backend backend : {Backend::Cpu, Backend::Gpu}) {
+    const auto session = open(breezeProject({48, 32}), backend, LiveGrid::Full);
+    EXPECT_EQ(session->field()->number, 0);
+    session->runTo(1.0);
+    session->askField();
+    session->askField();
+    glFinish();
+    const std::shared_ptr<const FieldSnapshot> kept = session->field();
+    const FieldSnapshot& field = *kept;
+    ASSERT_EQ(field.number, 1) << "one step is read once";
+    EXPECT_EQ(field.grid.resolution, glm::ivec2(48, 32));
+    EXPECT_NEAR(field.time, 1.0, 1e-3);
+    session->restart();
+    session->askField();
+    glFinish();
+    EXPECT_EQ(session->field()->time, 0.0);
+    session->runTo(1.0);
+    session->askField();
+    glFinish();
+    EXPECT_EQ(session->field()->number, 3);
+    fields[backend == Backend::Gpu] = session->field()->cells;
+    EXPECT_EQ(field.number, 1) << "what is kept stays as it was";
+  }
+  ASSERT_EQ(fields[0].size(), 48u * 32u);
+  ASSERT_EQ(fields[1].size(), 48u * 32u);
+  for (std::size_t i = 0; i < fields[0].size(); ++i)
+    ASSERT_NEAR(glm::distance(fields[0][i], fields[1][i]), 0, 0.02) << "cell " << i;
+  EXPECT_GT(glm::length(fields[0][20 * 48 + 24]), 3.0f);
+}
+
+TEST_F(LiveSession, FieldsOnTheirWaySurviveAnotherGrid) {
+  const auto session = open(breezeProject({48, 32}), Backend::Gpu, LiveGrid::Full);
+  for (int i = 0; i < 6; ++i) {  // more than may be on their way
+    session->stepOnce();
+    session->askField();
+  }
+  Project other = breezeProject({24, 40});
+  ASSERT_TRUE(session->setProject(other).ok());
+  session->stepOnce();
+  session->askField();
+  glFinish();
+  EXPECT_EQ(session->field()->grid.resolution, glm::ivec2(24, 40));
+  EXPECT_EQ(session->field()->cells.size(), 24u * 40u);
+}
+
 TEST_F(LiveSession, AMovedPointChangesTheWindWhileTimeGoesOn) {
   Project project = breezeProject({64, 64});
   const auto session = open(project);
