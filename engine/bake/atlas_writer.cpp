@@ -101,7 +101,7 @@ OpenedWriter openAtlasWriter(const BakeHeader& header, const std::filesystem::pa
   const glm::ivec2 tiles = *atlasTiles(header.frames, header.grid.resolution);
   const glm::ivec2 pixels = tiles * header.grid.resolution;
   const std::string name = stemOf(header.track, "flow-atlas") + ".png";
-  Result<Stream> stream = Stream::create(folder / name, pixels.x, pixels.y, PngEffort::Usual);
+  Result<Stream> stream = Stream::create(folder / name, pixels.x, pixels.y);
   if (!stream) return stream.error();
   return std::unique_ptr<FrameWriter>(std::make_unique<AtlasWriter>(header, tiles, name, std::move(*stream)));
 }

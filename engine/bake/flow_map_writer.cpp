@@ -36,7 +36,7 @@ class FlowMapWriter final : public FrameWriter {
 
  private:
   Status writePicture(const std::filesystem::path& path) const {
-    auto png = PngStream<std::uint8_t>::create(path, m_resolution.x, m_resolution.y, PngEffort::Usual);
+    auto png = PngStream<std::uint8_t>::create(path, m_resolution.x, m_resolution.y);
     if (!png) return png.error();
     if (Status written = png->write(m_samples); !written) return written;
     return png->finish(Sync::Later);

@@ -35,8 +35,7 @@ class Png16Writer final : public FrameWriter {
 
  private:
   Status writePicture(const std::filesystem::path& path) const {
-    // The low bytes are noise to zlib: more effort takes three times as long for 2 % less.
-    auto png = PngStream<std::uint16_t>::create(path, m_resolution.x, m_resolution.y, PngEffort::Quick);
+    auto png = PngStream<std::uint16_t>::create(path, m_resolution.x, m_resolution.y);
     if (!png) return png.error();
     if (Status written = png->write(m_samples); !written) return written;
     return png->finish(Sync::Later);

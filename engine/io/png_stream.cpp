@@ -15,6 +15,11 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "16-bit samples are swapped to PNG's byte order");
 
+/// Of zlib. Flow maps of a meadow's wind, 256 x 256, 8 bits, on one core: level 2 with the Paeth filter in every row
+/// 66 MB/s to 27 % of the bytes; level 6 with the best filter for each row 12 MB/s to 21.5 %. 16 bits: 41 MB/s to 66 %
+/// and 6 MB/s to 59 %.
+constexpr int kLevel = 2;
+
 /// libpng reports errors by longjmp: the functions that call setjmp hold only trivial locals.
 struct Target {
   explicit Target(AtomicFile atomic) : file(std::move(atomic)) {}
@@ -55,14 +60,15 @@ struct PngStream<Sample>::State {
   State(const State&) = delete;
   State& operator=(const State&) = delete;
 
-  bool start(int effort) {
+  bool start() {
     if (setjmp(target.jump) != 0) return false;
     constexpr int kBits = static_cast<int>(sizeof(Sample)) * 8;
     png_set_write_fn(png, &target, onWrite, onFlush);
     png_set_user_limits(png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), kBits,
                  PNG_COLOR_TYPE_RGB_ALPHA, PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
-    png_set_compression_level(png, effort);
+    png_set_compression_level(png, kLevel);
+    png_set_filter(png, PNG_FILTER_TYPE_BASE, PNG_FILTER_PAETH);
     png_write_info(png, info);
     if constexpr (kBits == 16) png_set_swap(png);
     return true;
@@ -104,8 +110,7 @@ template <class Sample>
 PngStream<Sample>& PngStream<Sample>::operator=(PngStream&&) noexcept = default;
 
 template <class Sample>
-Result<PngStream<Sample>> PngStream<Sample>::create(const std::filesystem::path& path, int width, int height,
-                                                    PngEffort effort) {
+Result<PngStream<Sample>> PngStream<Sample>::create(const std::filesystem::path& path, int width, int height) {
   WL_REQUIRE(width > 0 && height > 0, "a picture has pixels");
   Result<AtomicFile> file = AtomicFile::create(path);
   if (!file) return file.error();
@@ -117,7 +122,7 @@ Result<PngStream<Sample>> PngStream<Sample>::create(const std::filesystem::path&
   state->png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &state->target, onError, onWarning);
   state->info = state->png != nullptr ? png_create_info_struct(state->png) : nullptr;
   if (state->info == nullptr) return makeError(ErrorKind::Machine, path.string(), {}, "out of memory");
-  if (!state->start(static_cast<int>(effort))) return state->failure();
+  if (!state->start()) return state->failure();
   return PngStream(std::move(state));
 }
 

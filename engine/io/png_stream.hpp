@@ -11,14 +11,11 @@
 
 namespace windloom {
 
-/// How hard the bytes are packed: zlib's levels 1 to 9.
-enum class PngEffort { Quick = 1, Usual = 6 };
-
 template <class Sample>
 class PngStream {
  public:
   /// Starts a file of `width` x `height` pixels, at most 2^31 - 1 a side. Fails with Machine.
-  static Result<PngStream> create(const std::filesystem::path& path, int width, int height, PngEffort effort);
+  static Result<PngStream> create(const std::filesystem::path& path, int width, int height);
   /// Without finish(), nothing stays on disk.
   ~PngStream();
   PngStream(PngStream&& other) noexcept;

@@ -18,7 +18,7 @@ class BenchReport(harness.Case):
 
     def test_measures_every_scene_on_the_cpu_without_opengl(self):
         report = json.loads(self.call("bench", "--quick", "--backend", "cpu", "--json").stdout)
-        self.check(report, ["floor", "solver", "meadow", "grassland", "bezier", "shell", "live", "picture", "load", "startup", "runtime"])
+        self.check(report, ["floor", "solver", "meadow", "grassland", "bezier", "shell", "live", "picture", "load", "startup", "export", "runtime"])
         self.assertEqual(report["settings"], {"quick": True, "cpu": True, "gpu": False})
         for scene in ("meadow", "grassland", "bezier", "shell", "live", "picture"):
             self.assertEqual(report["scenes"][scene], [], f"{scene} can't be measured without OpenGL")
@@ -138,6 +138,28 @@ class BenchReport(harness.Case):
             self.assertAlmostEqual(100 * luma(lod).mean() / luma(every).mean(), row["sRGB %"], delta=0.5)
             self.assertLess(abs(difference - (128 + 4 * (lod - every)).clip(0, 255)).max(), 9)
         self.assertIn("WxH", self.call("bench", "picture", "--size", "large", status=2).stderr)
+
+    def test_times_every_writer_beside_plain_writes_and_a_bake_beside_its_simulation(self):
+        rows = json.loads(self.call("bench", "export", "--quick", "--backend", "cpu", "--json").stdout)["scenes"]["export"]
+        helped = self.call("bake", "--help").stdout
+        writers = [row for row in rows if not row["format"].startswith("bake: ")]
+        for name in ("npy", "png", "exr", "png16", "atlas", "dds", "dds-rgba", "dds-bc5", "dds-volume", "ktx2", "ktx2-rgba",
+                     "ktx2-bc5", "ktx2-zstd", "windpack"):
+            self.assertIn(name, [row["format"] for row in writers])
+        for row in writers:
+            self.assertIn(row["format"], helped)
+            for key in ("MB", "MB in files", "ms", "MB/s", "plain write ms"):
+                self.assertGreater(row[key], 0, (row["format"], key))
+            self.assertAlmostEqual(row["MB/s"], 1000 * row["MB"] / row["ms"], delta=1e-6 * row["MB/s"])
+        self.assertEqual([row["format"] for row in writers if "32 x 32" in row["frames"]], ["exr", "dds"])
+        exact = {row["format"]: row for row in reversed(writers)}
+        for name in ("dds", "ktx2-bc5", "dds-volume"):
+            self.assertEqual(exact[name]["MB"], exact[name]["MB in files"], name)
+        bakes = [row for row in rows if row["format"].startswith("bake: ")]
+        self.assertEqual(len(bakes), 3)
+        for row in bakes:
+            self.assertGreater(row["only simulated ms"], 0)
+            self.assertAlmostEqual(row["more %"], 100 * (row["ms"] / row["only simulated ms"] - 1), delta=1e-6)
 
     def test_takes_the_sides_of_the_solvers_fields(self):
         report = json.loads(self.call("bench", "solver", "--quick", "--cells", "32,48", "--backend", "cpu", "--json").stdout)

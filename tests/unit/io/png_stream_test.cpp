@@ -21,7 +21,7 @@ TEST(PngStream, RowsThatComeInPiecesMakeTheSamePictureAsAtOnce) {
   const TemporaryFolder folder;
   const std::vector<std::uint8_t> samples = ramp<std::uint8_t>(5, 7);
   const std::span<const std::uint8_t> all = samples;
-  auto png = PngStream<std::uint8_t>::create(folder.path() / "a.png", 5, 7, PngEffort::Usual);
+  auto png = PngStream<std::uint8_t>::create(folder.path() / "a.png", 5, 7);
   ASSERT_TRUE(png);
   for (const auto& [first, rows] : {std::pair{0, 3}, {3, 1}, {4, 3}})
     ASSERT_TRUE(png->write(all.subspan(static_cast<std::size_t>(first) * 20, static_cast<std::size_t>(rows) * 20)));
@@ -35,7 +35,7 @@ TEST(PngStream, RowsThatComeInPiecesMakeTheSamePictureAsAtOnce) {
 TEST(PngStream, KeepsAll16Bits) {
   const TemporaryFolder folder;
   const std::vector<std::uint16_t> samples = ramp<std::uint16_t>(3, 2);
-  auto png = PngStream<std::uint16_t>::create(folder.path() / "a.png", 3, 2, PngEffort::Quick);
+  auto png = PngStream<std::uint16_t>::create(folder.path() / "a.png", 3, 2);
   ASSERT_TRUE(png);
   ASSERT_TRUE(png->write(samples));
   ASSERT_TRUE(png->finish());
@@ -45,19 +45,19 @@ TEST(PngStream, KeepsAll16Bits) {
 TEST(PngStream, LeavesNothingWithoutFinishAndSaysWhereItCantWrite) {
   const TemporaryFolder folder;
   {
-    auto png = PngStream<std::uint8_t>::create(folder.path() / "a.png", 1, 1, PngEffort::Quick);
+    auto png = PngStream<std::uint8_t>::create(folder.path() / "a.png", 1, 1);
     ASSERT_TRUE(png);
     ASSERT_TRUE(png->write(std::vector<std::uint8_t>(4)));
   }
   EXPECT_EQ(folder.entries(), 0);
-  const auto refused = PngStream<std::uint8_t>::create(folder.path() / "no" / "a.png", 1, 1, PngEffort::Quick);
+  const auto refused = PngStream<std::uint8_t>::create(folder.path() / "no" / "a.png", 1, 1);
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().text().find("a.png"), std::string::npos);
 }
 
 TEST(PngStreamDeathTest, RefusesMoreRowsThanThePictureHas) {
   const TemporaryFolder folder;
-  auto png = PngStream<std::uint8_t>::create(folder.path() / "a.png", 1, 1, PngEffort::Quick);
+  auto png = PngStream<std::uint8_t>::create(folder.path() / "a.png", 1, 1);
   ASSERT_TRUE(png);
   EXPECT_DEATH((void)png->write(std::vector<std::uint8_t>(8)), "not more than the picture has");
 }
