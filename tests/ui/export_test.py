@@ -57,6 +57,12 @@ def choose(app, *wanted):
     check(formats(app)[1] == set(wanted), f"chosen are {formats(app)[1]}, not {wanted}")
 
 
+def show_formats(app, on):
+    """Closing the list brings what is below it into sight."""
+    app.press("export/section/Formats")
+    app.wait("the list of formats", lambda: ("export/format/npy" in app.read_map()[1]) == on)
+
+
 def pick(app, name, choice):
     app.press(name)
     app.press(f"{name}/{choice}")
@@ -192,6 +198,7 @@ def check_again(app, folder):
 def check_live(app, name):
     """Another program sees the wind that the editor shows, as it goes on; the editor's end is told."""
     app.wait_fact("playing", "yes")
+    show_formats(app, False)
     type_into(app, "export/live_name", name)
     app.press("export/live")
     app.wait("sharing", lambda: app.fact("live").endswith(" fields a second"))
@@ -221,6 +228,7 @@ def check_live(app, name):
     check(reader.ended() and not LiveReader.exists(name), "another name ends the one before")
     type_into(app, "export/live_name", name)
     app.wait_fact("status.live", "live link")
+    show_formats(app, True)
     return LiveReader(name)
 
 
@@ -233,6 +241,7 @@ def check_gpu(app, folder):
     backend = json.loads((folder / "manifest.json").read_text())["solver"]["backend"]
     check(backend == "gpu", f"exported with {backend}")
     name = f"windloom-test-gpu-{os.getpid()}"
+    show_formats(app, False)
     type_into(app, "export/live_name", name)
     app.press("export/live")
     app.wait("sharing", lambda: app.fact("live").startswith("sharing"))
@@ -245,20 +254,21 @@ def check_gpu(app, folder):
 
 
 def take_picture(windloom_editor, environment, home, project, picture):
-    with editor(windloom_editor, environment, home, project, size="1280x860") as app:
+    with editor(windloom_editor, environment, home, project, size="1280x920") as app:
         app.wait_fact("scene", "yes")
         app.key("ctrl+shift+e")
         app.wait("the export", lambda: app.fact("export.preset") != "")
         pick(app, "export/preset", "unreal")
+        app.wait_fact("export.preset", "unreal")
         choose(app, "exr", "fga", "png")
-        app.press("export/section/Formats")
+        show_formats(app, False)
         pick(app, "export/own_full_scale", "on")
         type_into(app, "export/full_scale", "6")
-        app.press("export/section/Formats")
+        show_formats(app, True)
         app.wait("clipped cells", lambda: "% of cells clip" in app.fact("export.clipping"))
         app.point_at(app.centre("viewport"))
         app.picture(picture)
-    subprocess.run(["convert", str(picture), "-crop", "320x805+960+58", "+repage", "-colors", "64", f"PNG8:{picture}"], check=True)
+    subprocess.run(["convert", str(picture), "-crop", "320x830+960+58", "+repage", "-colors", "64", f"PNG8:{picture}"], check=True)
 
 
 def main():
@@ -279,7 +289,7 @@ def main():
             app.wait_fact("scene", "yes")
             app.key("ctrl+shift+e")
             app.wait("the export", lambda: app.fact("export.preset") != "")
-            # check_presets(app)
+            check_presets(app)
             check_sizes(app)
             check_warnings(app)
             check_export(app, folder, desk)
@@ -298,6 +308,7 @@ def main():
             app.wait("the choices of the last session", lambda: formats(app)[1] == chosen)
             check(app.fact("export.total").startswith("5 frames of 32 x 32"), app.fact("export.total"))
             app.wait("the live link of the last session", lambda: app.fact("live").startswith("sharing"))
+            show_formats(app, False)
             app.press("export/live")
             app.wait_fact("live", "")
             app.key("ctrl+q")
