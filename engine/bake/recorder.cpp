@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/bake/resample.hpp"
+#include "engine/bake/frame_tap.hpp"
 
 namespace windloom {
 
@@ -30,10 +30,18 @@ Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const s
   const auto timeStep = static_cast<double>(simulation.project().field->timeStep);
   int frames = plan.frames + plan.crossfade;
   while (frames > 0 && !wanted(frames - 1)) --frames;
-  const glm::ivec2 full = simulation.solver().grid().resolution;
-  std::optional<Resampler> resampler;
-  if (resolution && *resolution != full) resampler.emplace(full, *resolution, wrapsOf(*simulation.project().field));
-  std::vector<glm::vec2> resampled;
+  Result<std::unique_ptr<FrameTap>> made =
+      makeFrameTap(simulation, resolution.value_or(simulation.solver().grid().resolution));
+  if (!made) return made.error();
+  FrameTap& tap = **made;
+  // Hands on what has come; with Yes waits for one frame.
+  const auto handOn = [&](FrameTap::Wait wait) -> Status {
+    while (const auto frame = tap.take(wait)) {
+      if (Status taken = take(frame->number, frame->cells); !taken) return taken;
+      wait = FrameTap::Wait::No;
+    }
+    return Done{};
+  };
   RecordProgress progress{simulation.steps(), stepOfFrame(plan, std::max(frames, 1) - 1, timeStep)};
   for (int frame = 0; frame < frames; ++frame) {
     if (!wanted(frame)) continue;
@@ -41,9 +49,13 @@ Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const s
       progress.step = simulation.steps();
       if (!keepGoing(progress)) return RecordEnd::Cancelled;
     }
-    const std::vector<glm::vec2>& cells = simulation.velocity();
-    if (resampler) resampler->apply(cells, resampled);
-    if (Status taken = take(frame, resampler ? resampled : cells); !taken) return taken.error();
+    while (!tap.ask(frame)) {
+      if (Status handed = handOn(FrameTap::Wait::Yes); !handed) return handed.error();
+    }
+    if (Status handed = handOn(FrameTap::Wait::No); !handed) return handed.error();
+  }
+  while (const auto frame = tap.take(FrameTap::Wait::Yes)) {
+    if (Status taken = take(frame->number, frame->cells); !taken) return taken.error();
   }
   progress.step = progress.steps;
   keepGoing(progress);

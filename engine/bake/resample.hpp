@@ -20,12 +20,16 @@ class Resampler {
   /// `in` has from.x * from.y values, row after row; `out` is resized.
   void apply(std::span<const glm::vec2> in, std::vector<glm::vec2>& out);
 
- private:
   /// What one new cell takes along one axis: `weights` from `first` on, going on at 0 behind the last.
   struct Tap {
     int first = 0;
     std::vector<float> weights;
   };
+  /// Of each new column and row, for those who filter elsewhere.
+  [[nodiscard]] const std::vector<Tap>& columns() const { return m_columns; }
+  [[nodiscard]] const std::vector<Tap>& rows() const { return m_rows; }
+
+ private:
   static std::vector<Tap> tapsFor(int from, int to, bool wraps);
 
   glm::ivec2 m_from, m_to;

@@ -76,6 +76,8 @@ class Simulation {
   const std::vector<glm::vec2>& velocity();
 
   WindSolver& solver() { return *m_solver; }
+  /// What it was created with; null: it has no OpenGL.
+  [[nodiscard]] gpu::ShaderLibrary* shaders() const { return m_options.shaders; }
   [[nodiscard]] const GraphEvaluator& graph() const { return *m_graph; }
   [[nodiscard]] const Project& project() const { return m_project; }
 
