@@ -64,7 +64,7 @@ void ExportPanel::drawSettings(PanelContext& context, const BakeHeader& header, 
   }
   if (section("Formats")) {
     drawFormats(m_choices, header, request);
-    drawFormatWarnings(header, request);
+    drawFormatWarnings(warningsOf(header, request));
     if (hasFullScale(request)) m_clipping.draw();
   }
   if (section("Recording") && beginRows("recording")) {
@@ -109,6 +109,7 @@ void ExportPanel::drawTotal(PanelContext& context, const BakeHeader& header, con
   ImGui::TextColored(tooMuch ? look().palette.error : look().palette.muted, "%s", text.c_str());
   ImGui::PopTextWrapPos();
   markItem("export/total");
+  drawWarningSign(warningsOf(header, request));
   look().map.fact("export.total", text);
 }
 

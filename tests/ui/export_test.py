@@ -102,6 +102,7 @@ def check_warnings(app):
     choose(app, "fga")
     type_into(app, "export/width", "256")
     app.wait("a warning of the format's limit", lambda: "128" in app.fact("export.warnings"))
+    check("export/warnings" in app.read_map()[1], "a sign beside what starts the export")
     app.wait("height layers", lambda: "export/layers" in app.read_map()[1])
     choose(app, "png")
     app.wait_fact("export.warnings", "")
