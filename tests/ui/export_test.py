@@ -252,6 +252,11 @@ def check_gpu(app, folder):
     width, height = field["size"]  # a slow machine's live grid is coarser
     middle = field["cells"][height // 2 * width + width // 2]
     check(middle[0] > 4, f"{field['size']}, in the middle {middle}")
+    app.press("export/live")
+    app.wait_fact("live", "")
+    check(reader.ended() and not LiveReader.exists(name), "switched off, the link is gone")
+    app.key("ctrl+q")
+    check(app.wait_end() == 0, "closing must end the editor with 0")
 
 
 def take_picture(windloom_editor, environment, home, project, picture):
