@@ -198,7 +198,8 @@ void ExportPanel::draw(PanelContext& context) {
   ImGui::Separator();
   drawTotal(context, header, request);
   drawRun(context, request);
-  m_footerHeight = ImGui::GetCursorPosY() - top;
+  // Rounding must not make the panel around it scroll.
+  m_footerHeight = ImGui::GetCursorPosY() - top + scaled(2);
   look().map.fact("export.running", running() ? "yes" : "no");
   look().map.fact("export.ended", std::to_string(m_ended));
   look().map.fact("export.outcome", m_outcome ? m_outcome->text : "");
