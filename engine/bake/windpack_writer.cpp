@@ -123,10 +123,15 @@ class WindpackWriter final : public FrameWriter {
   std::vector<std::uint16_t> m_halves;
 };
 
+std::string refusal(const BakeHeader& header, const Packing& packing) {
+  const bool holds =
+      dataBytes(header, packing) <= WINDPACK_MAX_DATA_BYTES && header.frames <= static_cast<int>(WINDPACK_MAX_FRAMES);
+  return holds ? "" : "a wind pack holds at most 16 GiB and 100,000 frames; bake fewer frames or a lower --resolution";
+}
+
 OpenedWriter openWindpack(const BakeHeader& header, const std::filesystem::path& folder, const Packing& packing) {
-  if (dataBytes(header, packing) > WINDPACK_MAX_DATA_BYTES || header.frames > static_cast<int>(WINDPACK_MAX_FRAMES)) {
-    return makeError(ErrorKind::BadInput,
-                     "a wind pack holds at most 16 GiB and 100,000 frames; bake fewer frames or a lower --resolution");
+  if (const std::string reason = refusal(header, packing); !reason.empty()) {
+    return makeError(ErrorKind::BadInput, reason);
   }
   const std::string name = stemOf(header.track, packing.stem) + ".windpack";
   Result<AtomicFile> file = AtomicFile::create(folder / name);
@@ -137,6 +142,14 @@ OpenedWriter openWindpack(const BakeHeader& header, const std::filesystem::path&
 }
 
 }  // namespace
+
+std::string windpackRefusal(const BakeHeader& header) {
+  return refusal(header, kHalves);
+}
+
+std::string windpackFloatRefusal(const BakeHeader& header) {
+  return refusal(header, kFloats);
+}
 
 OpenedWriter openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder) {
   return openWindpack(header, folder, kHalves);

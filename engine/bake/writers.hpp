@@ -12,6 +12,8 @@ OpenedWriter openFlowMapWriter(const BakeHeader& header, const std::filesystem::
 OpenedWriter openWindpackWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openWindpackFloatWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openWindpackZstdWriter(const BakeHeader& header, const std::filesystem::path& folder);
+std::string windpackRefusal(const BakeHeader& header);
+std::string windpackFloatRefusal(const BakeHeader& header);
 
 OpenedWriter openFgaWriter(const BakeHeader& header, const std::filesystem::path& folder);
 OpenedWriter openFgaTilesWriter(const BakeHeader& header, const std::filesystem::path& folder);

@@ -2,6 +2,7 @@
 
 #include <zstd.h>
 
+#include <algorithm>
 #include <string>
 
 #include "engine/core/contract.hpp"
@@ -12,6 +13,9 @@ namespace {
 
 /// Half floats of a meadow's wind, one core: level 1: 313 MB/s to 41.8 % of the bytes, 3: 223 to 38.8, 5: 136 to 36.6.
 constexpr int kLevel = 3;
+
+/// Each holds about 16 MB; the disk isn't quicker than so many.
+constexpr int kMaxWorkers = 8;
 
 }  // namespace
 
@@ -44,7 +48,7 @@ ZstdStream::ZstdStream(std::uint64_t totalBytes, Sink sink) : m_state(std::make_
   ZSTD_CCtx_setParameter(context, ZSTD_c_compressionLevel, kLevel);
   // Workers cut the input into pieces of a size that follows from the level alone, so their number doesn't show; none
   // at all would. A zstd that was built without threads refuses this and packs by itself.
-  ZSTD_CCtx_setParameter(context, ZSTD_c_nbWorkers, ThreadPool().threads());
+  ZSTD_CCtx_setParameter(context, ZSTD_c_nbWorkers, std::min(ThreadPool().threads(), kMaxWorkers));
   ZSTD_CCtx_setPledgedSrcSize(context, totalBytes);
 }
 

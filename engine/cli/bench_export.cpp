@@ -19,6 +19,7 @@ using Frames = std::vector<std::vector<glm::vec2>>;
 
 constexpr int kDifferentFrames = 8;  // recorded; longer recordings repeat them
 constexpr double kFps = 30;
+constexpr std::uint64_t kMaxRowBytes = 512ull << 20;  // volumes of all frames would fill disks
 
 /// `part` of the time that a row may take.
 RunLimits limitsOf(const BenchSetup& setup, int runs, double part) {
@@ -142,7 +143,12 @@ Status addWriters(const BenchSetup& setup, int side, int count, std::span<const 
   for (const WriterKind& kind : writerKinds()) {
     if (!kind.missing.empty() || (kind.refusal != nullptr && !kind.refusal(header).empty())) continue;
     if (!only.empty() && std::ranges::find(only, kind.name) == only.end()) continue;
-    Result<BenchRow> row = writerRow(setup, kind, header, *frames);
+    BakeHeader fewer = header;
+    while (fewer.frames > 1 && kind.bytes(fewer) > kMaxRowBytes) {
+      fewer.frames /= 2;
+      fewer.last = fewer.frames - 1;
+    }
+    Result<BenchRow> row = writerRow(setup, kind, fewer, *frames);
     if (!row) return row.error();
     rows.push_back(std::move(*row));
   }

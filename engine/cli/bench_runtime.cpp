@@ -115,7 +115,8 @@ Result<BenchRow> packRow(const BenchSetup& setup, std::string_view kind, int sid
   const RunLimits loads{1, 3, 10, setup.capSeconds};
   const double first = loadFile();
   const double floor = measure(loads, [&] { return copyMs(*bytes); }).median;
-  const double memory = measure(loads, load).median, file = measure(loads, loadFile).median;
+  const double memory = measure(loads, load).median;
+  const Measured file = measure(loads, loadFile);
   if (!pack) return makeError(ErrorKind::Machine, windloom_status_text(pack.status()));
   const RunLimits samples{1, 3, 20, setup.capSeconds / 4};
   const auto pass = [&](double (Passes::*ask)(const runtime::WindPack&, int), int perMoment) {
@@ -126,13 +127,14 @@ Result<BenchRow> packRow(const BenchSetup& setup, std::string_view kind, int sid
                   {"cells", kind == "windpack" ? "half" : "float"},
                   {"MB", static_cast<double>(bytes->size()) / 1e6},
                   {"first load ms", first},
-                  {"load ms", file},
+                  {"load ms", file.median},
                   {"from memory ms", memory},
                   {"floor: copy ms", floor},
                   {"ns a sample", pass(&Passes::single, Passes::kSets)},
                   {"ns a point in 1,000", pass(&Passes::batched, Passes::kSets)},
                   {"cold sample", pass(&Passes::single, 1)},
-                  {"cold point in 1,000", pass(&Passes::batched, 1)}};
+                  {"cold point in 1,000", pass(&Passes::batched, 1)},
+                  {"runs", file.runs}};
 }
 
 }  // namespace

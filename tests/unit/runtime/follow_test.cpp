@@ -139,7 +139,7 @@ TEST_F(Follow, ThreadsSampleWhileFilesAreReplaced) {
     });
   }
   int changes = 0;
-  for (int n = 0; n < 60; ++n) {
+  for (int n = 0; n < 30; ++n) {
     // The contract: a replaced pack lives until the next change, so every thread must have asked again by then.
     for (auto& round : rounds) {
       const long before = round;
@@ -150,7 +150,7 @@ TEST_F(Follow, ThreadsSampleWhileFilesAreReplaced) {
   }
   stop = true;
   for (std::thread& thread : threads) thread.join();
-  EXPECT_EQ(changes, 60);
+  EXPECT_EQ(changes, 30);
   EXPECT_EQ(wrong, 0);
   windloom_follow_close(follow);
 }
