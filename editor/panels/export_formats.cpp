@@ -87,21 +87,27 @@ void drawFormats(ExportChoices& choices, const BakeHeader& header, const BakeReq
   ImGui::PopStyleVar(2);
 }
 
-void drawFormatWarnings(const BakeHeader& header, const BakeRequest& request) {
+void drawFormatWarnings(std::span<const std::string> warnings) {
   std::string all;
-  for (const WriterKind* kind : request.formats) {
-    const std::string warning = kind->warning != nullptr ? kind->warning(header) : std::string();
-    if (warning.empty()) continue;
-    const std::string text = std::string(kind->name) + ": " + warning;
-    ImGui::PushStyleColor(ImGuiCol_Text, look().palette.warning);
+  ImGui::PushStyleColor(ImGuiCol_Text, look().palette.warning);
+  for (const std::string& warning : warnings) {
     ImGui::TextUnformatted(icons::icon(icons::kWarning, "!"));
     ImGui::SameLine(0, scaled(6));
-    ImGui::TextWrapped("%s", text.c_str());
-    ImGui::PopStyleColor();
-    markItem("export/warning/" + std::string(kind->name));
-    all.append(all.empty() ? "" : "; ").append(text);
+    ImGui::TextWrapped("%s", warning.c_str());
+    all.append(all.empty() ? "" : "; ").append(warning);
   }
+  ImGui::PopStyleColor();
   look().map.fact("export.warnings", all);
+}
+
+void drawWarningSign(std::span<const std::string> warnings) {
+  if (warnings.empty()) return;
+  std::string sign = icons::icon(icons::kWarning, "!"), all;
+  sign.append(" ").append(std::to_string(warnings.size())).append(warnings.size() == 1 ? " warning" : " warnings");
+  for (const std::string& warning : warnings) all.append(all.empty() ? "" : "\n").append(warning);
+  ImGui::TextColored(look().palette.warning, "%s", sign.c_str());
+  if (ImGui::IsItemHovered()) wrappedTooltip(all);
+  markItem("export/warnings");
 }
 
 }  // namespace windloom::editor

@@ -64,7 +64,7 @@ void ExportPanel::drawSettings(PanelContext& context, const BakeHeader& header, 
   }
   if (section("Formats")) {
     drawFormats(m_choices, header, request);
-    drawFormatWarnings(header, request);
+    drawFormatWarnings(warningsOf(header, request));
     if (hasFullScale(request)) m_clipping.draw();
   }
   if (section("Recording") && beginRows("recording")) {
@@ -109,6 +109,7 @@ void ExportPanel::drawTotal(PanelContext& context, const BakeHeader& header, con
   ImGui::TextColored(tooMuch ? look().palette.error : look().palette.muted, "%s", text.c_str());
   ImGui::PopTextWrapPos();
   markItem("export/total");
+  drawWarningSign(warningsOf(header, request));
   look().map.fact("export.total", text);
 }
 
@@ -197,7 +198,8 @@ void ExportPanel::draw(PanelContext& context) {
   ImGui::Separator();
   drawTotal(context, header, request);
   drawRun(context, request);
-  m_footerHeight = ImGui::GetCursorPosY() - top;
+  // Rounding must not make the panel around it scroll.
+  m_footerHeight = ImGui::GetCursorPosY() - top + scaled(2);
   look().map.fact("export.running", running() ? "yes" : "no");
   look().map.fact("export.ended", std::to_string(m_ended));
   look().map.fact("export.outcome", m_outcome ? m_outcome->text : "");

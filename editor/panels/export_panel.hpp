@@ -59,7 +59,7 @@ class ExportPanel {
   std::optional<Last> m_last;  ///< what was exported, or is being
   RepeatAfterEdit m_repeat;
 
-  int m_ended = 0;  ///< exports of this session
+  int m_ended = 0;           ///< exports of this session
   float m_footerHeight = 0;  ///< px, as drawn last
   int m_drawnFrame = -1;
   bool m_wanted = false;

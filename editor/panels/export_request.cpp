@@ -83,6 +83,15 @@ std::string sizeText(const ExportSize& size) {
   return size.exact ? text : "about " + text;
 }
 
+std::vector<std::string> warningsOf(const BakeHeader& header, const BakeRequest& request) {
+  std::vector<std::string> warnings;
+  for (const WriterKind* kind : request.formats) {
+    const std::string warning = kind->warning != nullptr ? kind->warning(header) : std::string();
+    if (!warning.empty()) warnings.push_back(std::string(kind->name) + ": " + warning);
+  }
+  return warnings;
+}
+
 bool hasVolume(const BakeRequest& request) {
   return std::ranges::any_of(request.formats, [](const WriterKind* kind) { return kind->group == "Volumes"; });
 }

@@ -32,6 +32,9 @@ ExportSize sizeOf(const BakeHeader& header, const BakeRequest& request);
 /// "12.3 MB", "about 12.3 MB".
 std::string sizeText(const ExportSize& size);
 
+/// What to know about the chosen formats before: "fga: 256 x 256 cells are averaged down ...".
+std::vector<std::string> warningsOf(const BakeHeader& header, const BakeRequest& request);
+
 bool hasVolume(const BakeRequest& request);     ///< a format with height layers
 bool hasFullScale(const BakeRequest& request);  ///< a format of integers, which stand for parts of a full scale
 

@@ -102,6 +102,7 @@ def check_warnings(app):
     choose(app, "fga")
     type_into(app, "export/width", "256")
     app.wait("a warning of the format's limit", lambda: "128" in app.fact("export.warnings"))
+    check("export/warnings" in app.read_map()[1], "a sign beside what starts the export")
     app.wait("height layers", lambda: "export/layers" in app.read_map()[1])
     choose(app, "png")
     app.wait_fact("export.warnings", "")
@@ -251,6 +252,11 @@ def check_gpu(app, folder):
     width, height = field["size"]  # a slow machine's live grid is coarser
     middle = field["cells"][height // 2 * width + width // 2]
     check(middle[0] > 4, f"{field['size']}, in the middle {middle}")
+    app.press("export/live")
+    app.wait_fact("live", "")
+    check(reader.ended() and not LiveReader.exists(name), "switched off, the link is gone")
+    app.key("ctrl+q")
+    check(app.wait_end() == 0, "closing must end the editor with 0")
 
 
 def take_picture(windloom_editor, environment, home, project, picture):

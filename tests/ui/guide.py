@@ -123,7 +123,7 @@ def export(guide, folder):
     app.press("export/section/Formats")
     app.press("export/start")
     app.wait("the export's end", lambda: (folder / "first-wind" / "manifest.json").exists(), 240)
-    guide.picture("export")
+    guide.picture("export", rest=1)
 
 
 def check_result(windloom, folder, places):
