@@ -26,6 +26,11 @@ if(NOT TARGET CLI11::CLI11)
   windloom_fetch(CLI11 https://github.com/CLIUtils/CLI11.git v2.1.2)
 endif()
 
+find_package(OpenSSL QUIET COMPONENTS Crypto)
+if(NOT TARGET OpenSSL::Crypto)
+  message(FATAL_ERROR "libcrypto with its headers is needed (Debian: libssl-dev)")
+endif()
+
 find_package(PNG QUIET)
 if(NOT TARGET PNG::PNG)
   message(FATAL_ERROR "libpng with its headers is needed (Debian: libpng-dev)")

@@ -2,7 +2,7 @@
 # installation.
 
 build_packages="g++ cmake ninja-build ccache pkg-config git
-  libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libdeflate-dev libzstd-dev libstb-dev libtinygltf-dev libhwy-dev libepoxy-dev
+  libglm-dev nlohmann-json3-dev libcli11-dev libpng-dev libssl-dev libdeflate-dev libzstd-dev libstb-dev libtinygltf-dev libhwy-dev libepoxy-dev
   libglfw3-dev libimgui-dev fonts-inter fonts-fork-awesome
   libopenvdb-dev libboost-dev
   libegl1 libgl1 libgl1-mesa-dri"

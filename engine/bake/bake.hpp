@@ -10,8 +10,8 @@
 
 #include "engine/bake/frame_writer.hpp"
 #include "engine/bake/recorder.hpp"
-#include "engine/bake/resample.hpp"
 #include "engine/bake/seam.hpp"
+#include "engine/session/resample.hpp"
 
 namespace windloom {
 

@@ -19,7 +19,7 @@ namespace {
 
 /// Of libdeflate, 1 to 12. Half-float RGB of a meadow's wind, 1000 x 1000, on one core: 1: 217 MB/s to 37.4 % of the
 /// bytes, 2: 152 to 35.9, 4: 123 to 35.3, 6: 79 to 34.5. (zlib's 1: 105 to 39.4; its 4, OpenEXR's choice: 78 to 36.2.)
-constexpr int kLevel = 2;
+constexpr int kLevel = 1;
 
 constexpr std::uint32_t kMagic = 0x01312f76;
 constexpr std::uint32_t kVersion = 2;  // one part of scanlines, short names

@@ -91,20 +91,23 @@ Status FrameStreams::openWriters() {
     for (TrackStream& track : m_tracks) {
       Result<std::unique_ptr<FrameWriter>> writer = m_request.formats[format]->open(track.header, m_work);
       if (!writer) return writer.error();
-      track.writers.push_back({format, std::move(*writer)});
+      track.writers.push_back({m_writers++, std::move(*writer)});
     }
   }
+  m_behind.emplace(m_writers);
   return Done{};
 }
 
 Status FrameStreams::addToAll(TrackStream& track, int frame, std::span<const glm::vec2> cells) {
+  const auto shared = std::make_shared<const std::vector<glm::vec2>>(cells.begin(), cells.end());
   for (const Writer& to : track.writers) {
-    if (Status added = to.writer->add(frame, cells); !added) return added;
+    if (Status added = m_behind->add(to.number, *to.writer, frame, shared); !added) return added;
   }
   return Done{};
 }
 
 Status FrameStreams::finishWriters() {
+  if (Status written = m_behind->finish(); !written) return written;
   for (std::size_t format = 0; format < m_request.formats.size(); ++format) {
     for (TrackStream& track : m_tracks) {
       Result<std::vector<BakedFile>> files = track.writers[format].writer->finish();

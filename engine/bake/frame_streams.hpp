@@ -9,6 +9,7 @@
 #include "engine/bake/bake.hpp"
 #include "engine/bake/frame_spool.hpp"
 #include "engine/bake/response.hpp"
+#include "engine/bake/write_behind.hpp"
 
 namespace windloom {
 
@@ -38,7 +39,7 @@ class FrameStreams {
 
  private:
   struct Writer {
-    std::size_t format;
+    std::size_t number;  // among all
     std::unique_ptr<FrameWriter> writer;
   };
   /// The wind, or the answer of one class of plants.
@@ -74,6 +75,8 @@ class FrameStreams {
   bool m_spooled = false;
   SeamMeter m_seam;
   StreamResult m_result;
+  std::size_t m_writers = 0;
+  std::optional<WriteBehind> m_behind;  // ends before the writers do
 };
 
 }  // namespace windloom

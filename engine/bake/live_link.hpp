@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "engine/bake/resample.hpp"
 #include "engine/core/grid_mapping.hpp"
 #include "engine/core/result.hpp"
+#include "engine/session/resample.hpp"
 
 namespace windloom {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "engine/bake/frame_tap.hpp"
+#include "engine/session/frame_tap.hpp"
 
 namespace windloom {
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/bake/bake_header.hpp"
-#include "engine/bake/resample.hpp"
+#include "engine/session/resample.hpp"
 
 namespace windloom {
 

@@ -1,82 +1,40 @@
 #include "engine/io/sha256.hpp"
 
-#include <bit>
-#include <cstring>
+#include <openssl/evp.h>
+
 #include <fstream>
+#include <memory>
 #include <vector>
+
+#include "engine/core/contract.hpp"
 
 namespace windloom {
 namespace {
 
-// The first 32 bits of the fractions of the cube roots of the first 64 primes.
-constexpr std::array<std::uint32_t, 64> kRound = {
-    0x428a2f98, 0x71374491, 0xb5c0fbcf, 0xe9b5dba5, 0x3956c25b, 0x59f111f1, 0x923f82a4, 0xab1c5ed5,
-    0xd807aa98, 0x12835b01, 0x243185be, 0x550c7dc3, 0x72be5d74, 0x80deb1fe, 0x9bdc06a7, 0xc19bf174,
-    0xe49b69c1, 0xefbe4786, 0x0fc19dc6, 0x240ca1cc, 0x2de92c6f, 0x4a7484aa, 0x5cb0a9dc, 0x76f988da,
-    0x983e5152, 0xa831c66d, 0xb00327c8, 0xbf597fc7, 0xc6e00bf3, 0xd5a79147, 0x06ca6351, 0x14292967,
-    0x27b70a85, 0x2e1b2138, 0x4d2c6dfc, 0x53380d13, 0x650a7354, 0x766a0abb, 0x81c2c92e, 0x92722c85,
-    0xa2bfe8a1, 0xa81a664b, 0xc24b8b70, 0xc76c51a3, 0xd192e819, 0xd6990624, 0xf40e3585, 0x106aa070,
-    0x19a4c116, 0x1e376c08, 0x2748774c, 0x34b0bcb5, 0x391c0cb3, 0x4ed8aa4a, 0x5b9cca4f, 0x682e6ff3,
-    0x748f82ee, 0x78a5636f, 0x84c87814, 0x8cc70208, 0x90befffa, 0xa4506ceb, 0xbef9a3f7, 0xc67178f2};
+class Sha256 {
+ public:
+  Sha256() : m_context(EVP_MD_CTX_new(), EVP_MD_CTX_free) {
+    WL_REQUIRE(m_context != nullptr && EVP_DigestInit_ex(m_context.get(), EVP_sha256(), nullptr) == 1,
+               "libcrypto has SHA-256");
+  }
+  void add(std::string_view bytes) { EVP_DigestUpdate(m_context.get(), bytes.data(), bytes.size()); }
+  std::string finish() {
+    unsigned char digest[EVP_MAX_MD_SIZE];
+    unsigned length = 0;
+    EVP_DigestFinal_ex(m_context.get(), digest, &length);
+    std::string text;
+    for (unsigned i = 0; i < length; ++i) {
+      text += "0123456789abcdef"[digest[i] >> 4];
+      text += "0123456789abcdef"[digest[i] & 0xf];
+    }
+    return text;
+  }
 
-std::uint32_t bigEndian(const unsigned char* at) {
-  return std::uint32_t{at[0]} << 24 | std::uint32_t{at[1]} << 16 | std::uint32_t{at[2]} << 8 | std::uint32_t{at[3]};
-}
+ private:
+  std::unique_ptr<EVP_MD_CTX, decltype(&EVP_MD_CTX_free)> m_context;
+};
 
 }  // namespace
-
-void Sha256::addBlock(const unsigned char* block) {
-  std::array<std::uint32_t, 64> w{};
-  for (std::size_t t = 0; t < 16; ++t) w[t] = bigEndian(block + 4 * t);
-  for (std::size_t t = 16; t < 64; ++t) {
-    const std::uint32_t s0 = std::rotr(w[t - 15], 7) ^ std::rotr(w[t - 15], 18) ^ w[t - 15] >> 3;
-    const std::uint32_t s1 = std::rotr(w[t - 2], 17) ^ std::rotr(w[t - 2], 19) ^ w[t - 2] >> 10;
-    w[t] = w[t - 16] + s0 + w[t - 7] + s1;
-  }
-  auto [a, b, c, d, e, f, g, h] = m_state;
-  for (std::size_t t = 0; t < 64; ++t) {
-    const std::uint32_t sum1 = std::rotr(e, 6) ^ std::rotr(e, 11) ^ std::rotr(e, 25);
-    const std::uint32_t one = h + sum1 + ((e & f) ^ (~e & g)) + kRound[t] + w[t];
-    const std::uint32_t sum0 = std::rotr(a, 2) ^ std::rotr(a, 13) ^ std::rotr(a, 22);
-    const std::uint32_t two = sum0 + ((a & b) ^ (a & c) ^ (b & c));
-    h = g, g = f, f = e, e = d + one, d = c, c = b, b = a, a = one + two;
-  }
-  const std::array<std::uint32_t, 8> after = {a, b, c, d, e, f, g, h};
-  for (std::size_t i = 0; i < 8; ++i) m_state[i] += after[i];
-}
-
-void Sha256::add(std::string_view bytes) {
-  m_totalBytes += bytes.size();
-  while (!bytes.empty()) {
-    if (m_pendingBytes == 0 && bytes.size() >= 64) {
-      addBlock(reinterpret_cast<const unsigned char*>(bytes.data()));
-      bytes.remove_prefix(64);
-      continue;
-    }
-    const std::size_t taken = std::min(bytes.size(), 64 - m_pendingBytes);
-    std::memcpy(m_pending.data() + m_pendingBytes, bytes.data(), taken);
-    bytes.remove_prefix(taken);
-    m_pendingBytes += taken;
-    if (m_pendingBytes == 64) {
-      addBlock(m_pending.data());
-      m_pendingBytes = 0;
-    }
-  }
-}
-
-std::string Sha256::finish() {
-  const std::uint64_t bits = m_totalBytes * 8;
-  add(std::string_view("\x80", 1));
-  while (m_pendingBytes != 56) add(std::string_view("\0", 1));
-  std::string length;
-  for (int shift = 56; shift >= 0; shift -= 8) length += static_cast<char>(bits >> shift & 0xff);
-  add(length);
-  std::string digest;
-  for (const std::uint32_t word : m_state) {
-    for (int shift = 28; shift >= 0; shift -= 4) digest += "0123456789abcdef"[word >> shift & 0xf];
-  }
-  return digest;
-}
 
 std::string sha256(std::string_view bytes) {
   Sha256 hash;

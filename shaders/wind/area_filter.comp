@@ -1,6 +1,6 @@
 #version 450 core
 // The wind at another resolution, for recordings: each new cell is a weighted sum of old ones. The weights are those of
-// Resampler (engine/bake/resample.hpp), row by column.
+// Resampler (engine/session/resample.hpp), row by column.
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2D windTexture;
 layout(std430, binding = 0) writeonly buffer Cells { vec2 cells[]; };

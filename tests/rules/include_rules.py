@@ -33,6 +33,7 @@ RESTRICTED = {
     r"nlohmann/": ["engine/io", "engine/bake", "engine/cli", "editor/core"],
     r"CLI/": ["engine/cli", "editor/app"],
     r"png\.h": ["engine/io"],
+    r"openssl/.*": ["engine/io"],
     r"tiny_gltf": ["engine/io"],
     r"hwy/": ["engine/wind"],
     r"zstd\.h": ["engine/bake", "engine/runtime"],

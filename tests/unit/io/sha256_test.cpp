@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "engine/core/file.hpp"
+#include "tests/temporary_folder.hpp"
+
 namespace windloom {
 
 // The examples of FIPS 180-4 and of NIST's test vectors.
@@ -13,14 +16,14 @@ TEST(Sha256, GivesThePublishedDigests) {
   EXPECT_EQ(sha256(std::string(1000000, 'a')), "cdc76e5c9914fb9281a1c7e284d73e67f1809a48a497200e046d39ccc7112cd0");
 }
 
-TEST(Sha256, DoesNotDependOnThePieces) {
-  std::string text;
-  for (int i = 0; i < 300; ++i) text += static_cast<char>(i * 7);
-  Sha256 pieces;
-  for (std::size_t at = 0, step = 1; at < text.size(); at += step, step = step * 2 % 97 + 1) {
-    pieces.add(std::string_view(text).substr(at, step));
+TEST(Sha256, OfAFileIsThatOfItsBytesHoweverManyPiecesItHas) {
+  const TemporaryFolder folder;
+  for (const std::size_t size : {0u, 1u, 1u << 20, (1u << 20) + 1, 2'500'000u}) {
+    std::string text;
+    for (std::size_t i = 0; i < size; ++i) text += static_cast<char>(i * 7 + i / 251);
+    ASSERT_TRUE(writeFileAtomically(folder.path() / "bytes", text));
+    EXPECT_EQ(sha256OfFile(folder.path() / "bytes").value(), sha256(text)) << size;
   }
-  EXPECT_EQ(pieces.finish(), sha256(text));
 }
 
 TEST(Sha256, SaysWhichFileCannotBeRead) {

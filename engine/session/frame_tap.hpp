@@ -33,6 +33,6 @@ class FrameTap {
 Result<std::unique_ptr<FrameTap>> makeFrameTap(Simulation& simulation, glm::ivec2 resolution);
 
 /// For the test that compiles every shader.
-std::span<const gpu::ProgramSpec> bakePrograms();
+std::span<const gpu::ProgramSpec> frameTapPrograms();
 
 }  // namespace windloom

@@ -1,4 +1,4 @@
-#include "engine/bake/resample.hpp"
+#include "engine/session/resample.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
-#include "engine/bake/frame_tap.hpp"
+#include "engine/session/frame_tap.hpp"
 
-#include "engine/bake/resample.hpp"
+#include "engine/session/resample.hpp"
 #include "tests/gpu/gpu_test.hpp"
 
 namespace windloom {
@@ -34,7 +34,7 @@ class FrameTapTest : public testing::GpuTest {
 };
 
 TEST_F(FrameTapTest, ProgramsCompile) {
-  const Status loaded = shaders().loadAll(bakePrograms());
+  const Status loaded = shaders().loadAll(frameTapPrograms());
   EXPECT_TRUE(loaded.ok()) << loaded.error().text();
 }
 

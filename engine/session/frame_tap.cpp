@@ -1,12 +1,12 @@
-#include "engine/bake/frame_tap.hpp"
+#include "engine/session/frame_tap.hpp"
 
 #include <epoxy/gl.h>
 
 #include <cstring>
 
-#include "engine/bake/resample.hpp"
 #include "engine/core/contract.hpp"
 #include "engine/gpu/readback.hpp"
+#include "engine/session/resample.hpp"
 
 namespace windloom {
 namespace {
@@ -141,7 +141,7 @@ Result<std::unique_ptr<FrameTap>> makeFrameTap(Simulation& simulation, glm::ivec
   return std::unique_ptr<FrameTap>(std::make_unique<ProcessorTap>(simulation, resolution));
 }
 
-std::span<const gpu::ProgramSpec> bakePrograms() {
+std::span<const gpu::ProgramSpec> frameTapPrograms() {
   return kPrograms;
 }
 
