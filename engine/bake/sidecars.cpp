@@ -213,30 +213,41 @@ class Sidecars {
     return {};
   }
 
-  /// Beside every image what Godot needs to import it as numbers. An atlas becomes an array, a slab a volume.
+  /// Beside every image what Godot needs to import it as numbers. A format that knows more says so in its "import".
   Status writeGodotImports() {
     for (const BakedFile& file : m_files) {
       if (!isImage(file.path)) continue;
-      std::string text = "[remap]\n\n";
-      const auto sliced = [&](const char* importer, const char* type, const nlohmann::ordered_json& slices) {
-        text += "importer=\"" + std::string(importer) + "\"\ntype=\"" + type + "\"\n\n[params]\n\ncompress/mode=3\n" +
-                "mipmaps/generate=false\nslices/horizontal=" + std::to_string(slices.at(0).get<int>()) +
-                "\nslices/vertical=" + std::to_string(slices.at(1).get<int>()) + "\n";
-      };
-      if (file.details.contains("slices")) {
-        sliced("3d_texture", "CompressedTexture3D", file.details["slices"]);
-      } else if (file.details.contains("tiles")) {
-        sliced("2d_array_texture", "CompressedTexture2DArray", file.details["tiles"]);
-      } else {
-        // Floats stay as they are (VRAM uncompressed), bytes lossless.
-        const char* mode = file.path.ends_with(".exr") ? "3" : "0";
-        text += "importer=\"texture\"\ntype=\"CompressedTexture2D\"\n\n[params]\n\ncompress/mode=" + std::string(mode) +
-                "\nmipmaps/generate=false\nprocess/fix_alpha_border=false\nprocess/hdr_as_srgb=false\n" +
-                "detect_3d/compress_to=0\n";
-      }
-      if (Status done = put(file.path + ".import", text); !done) return done;
+      if (Status done = put(file.path + ".import", godotImport(file)); !done) return done;
     }
     return Done{};
+  }
+
+  static std::string godotImport(const BakedFile& file) {
+    nlohmann::ordered_json settings;
+    if (file.details.contains("import")) {
+      settings = file.details["import"];
+    } else if (file.details.contains("tiles")) {
+      settings = {{"importer", "2d_array_texture"},
+                  {"type", "CompressedTexture2DArray"},
+                  {"compress/mode", 3},
+                  {"compress/channel_pack", 1},
+                  {"mipmaps/generate", false},
+                  {"slices/horizontal", file.details["tiles"][0]},
+                  {"slices/vertical", file.details["tiles"][1]}};
+    } else {
+      // Floats stay as they are (VRAM uncompressed), bytes lossless.
+      settings = {{"importer", "texture"},
+                  {"type", "CompressedTexture2D"},
+                  {"compress/mode", file.path.ends_with(".exr") ? 3 : 0},
+                  {"mipmaps/generate", false},
+                  {"process/fix_alpha_border", false},
+                  {"process/hdr_as_srgb", false},
+                  {"detect_3d/compress_to", 0}};
+    }
+    std::string remap = "[remap]\n\n", params = "\n[params]\n\n";
+    for (const auto& [key, value] : settings.items())
+      (key == "importer" || key == "type" ? remap : params) += key + "=" + value.dump() + "\n";
+    return remap + params;
   }
 
   /// The shader code: the part that all languages share, in this one's words.
