@@ -11,9 +11,11 @@
 #include "engine/bake/work_folder.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/text.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
+#include "engine/model/calibration_card.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -63,18 +65,29 @@ Status requireSpace(const BakeRequest& request, const BakeHeader& header, const 
 }
 
 /// Names a plan: the same where, and only where, parts belong together.
-std::string planKey(const Project& project, Backend backend, const BakeRequest& request, const BakeHeader& header) {
+/// `start`: what the simulation began with.
+std::string planKey(const Project& project, Backend backend, const BakeRequest& request, const BakeHeader& header,
+                    const std::string& start) {
   BakeHeader whole = header;
   whole.first = 0;
   whole.last = whole.frames - 1;
   whole.fastest = 0;
   whole.fullScale = request.fullScale.value_or(0.0f);
-  std::string text = manifestText({whole, {}, request.response, false}, project, backend, {}) + writeProject(project);
+  std::string text =
+      manifestText({whole, {}, request.response, false, {}}, project, backend, {}) + writeProject(project) + start;
   for (const WriterKind* kind : request.formats) text += std::string(kind->name) + ",";
   const HeightProfile& profile = request.profile;
   for (const float value : {whole.fullScale, profile.top, static_cast<float>(profile.layers)})
     text += std::to_string(value) + ",";
   return sha256(text);
+}
+
+/// The card turns once in its period: only recordings of whole turns repeat as it does.
+void warnOfTurnedCard(const RecordPlan& plan) {
+  const double turns = plan.frames / plan.fps / static_cast<double>(kCardPeriod);
+  if (std::abs(turns - std::round(turns)) < 1e-6 && turns > 0.5) return;
+  logWarning("the calibration card repeats every " + shortest(kCardPeriod) +
+             " s: a loop of another length blends it, and the checker won't turn green");
 }
 
 class Baker {
@@ -83,10 +96,15 @@ class Baker {
         fs::path work)
       : m_simulation(simulation),
         m_request(request),
+        m_keepGoing(keepGoing),
         m_work(std::move(work)),
         m_header(headerOf(simulation.project(), request)),
         m_streams(simulation, request, m_header, keepGoing, m_work) {
     m_header.grid = m_streams.header().grid;
+    const std::vector<glm::vec2>& air = simulation.velocity();
+    const std::string start = std::to_string(simulation.steps()) + ":" +
+                              sha256({reinterpret_cast<const char*>(air.data()), air.size() * sizeof air[0]});
+    m_plan = planKey(simulation.project(), simulation.solver().backend(), request, m_header, start).substr(0, 16);
   }
 
   Status run() {
@@ -102,6 +120,10 @@ class Baker {
     if (m_request.part) return finishPart(std::move(*groups));
     std::vector<BakedFile> files;
     for (StreamFiles& group : written->files) std::ranges::move(group.files, std::back_inserter(files));
+    Result<FolderLock> lock = FolderLock::take(m_request.folder, [&] { return keepWaiting(); });
+    if (!lock) return lock.error();
+    m_report.cancelled = !lock->held();
+    if (m_report.cancelled) return Done{};
     return finishWhole(std::move(*groups), std::move(files), m_work);
   }
 
@@ -147,7 +169,7 @@ class Baker {
       if (!entry) return entry.error();
       entries.push_back(std::move(*entry));
     }
-    const ManifestFacts facts{m_header, m_seam, m_request.response, project.solver->source == WindSource::Card};
+    const ManifestFacts facts{m_header, m_seam, m_request.response, project.solver->source == WindSource::Card, m_plan};
     const std::string text = manifestText(facts, project, m_simulation.solver().backend(), entries);
     if (Status written = writeFileAtomically(m_work / "manifest.json", text); !written) return written;
     if (Status synced = syncFiles(m_work); !synced) return synced;
@@ -161,8 +183,16 @@ class Baker {
   /// The manifest, which makes it a bake, comes last. The first `frameFiles` lie in `frames`, the others in the work
   /// folder.
   Status publish(const fs::path& frames, std::size_t frameFiles) {
-    const std::vector<std::string> older = filesOfManifest(m_request.folder);
+    const Result<std::vector<ListedFile>> older = filesOfManifest(m_request.folder);
+    if (!older) return older.error();
     std::error_code ec;
+    for (const std::string& name : m_report.files) {
+      if (fs::is_directory(m_request.folder / name, ec))
+        return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {},
+                         "can't write: a folder is in the way");
+    }
+    // Whatever happens on the way: a folder without a manifest is no bake, one with it is whole.
+    fs::remove(m_request.folder / "manifest.json", ec);
     for (std::size_t i = 0; i < m_report.files.size(); ++i) {
       const std::string& name = m_report.files[i];
       const fs::path from = (i < frameFiles ? frames : m_work) / name;
@@ -171,34 +201,48 @@ class Baker {
       if (ec)
         return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {}, "can't write: " + ec.message());
     }
-    for (const std::string& name : older) {
-      if (std::ranges::find(m_report.files, name) == m_report.files.end()) fs::remove(m_request.folder / name, ec);
+    for (const ListedFile& file : *older) {
+      if (std::ranges::find(m_report.files, file.path) != m_report.files.end()) continue;
+      // What was changed since is somebody's work.
+      const Result<std::string> sum = sha256OfFile(m_request.folder / file.path);
+      if (sum && *sum == file.sha256) fs::remove(m_request.folder / file.path, ec);
     }
     return Done{};
   }
 
   /// Puts the part beside the others; completes the bake where it was the last one.
   Status finishPart(std::vector<std::vector<Json>> groups) {
-    const std::string key = planKey(m_simulation.project(), m_simulation.solver().backend(), m_request, m_header);
-    const fs::path parts = partsFolder(m_request.folder, key);
+    const fs::path parts = partsFolder(m_request.folder, m_plan);
     if (Status synced = syncFiles(m_work); !synced) return synced;
-    Result<FolderLock> lock = FolderLock::take(m_request.folder);
+    Result<FolderLock> lock = FolderLock::take(m_request.folder, [&] { return keepWaiting(); });
     if (!lock) return lock.error();
-    if (Status made = makeFolder(parts); !made) return made;
+    m_report.cancelled = !lock->held();
+    if (m_report.cancelled) return Done{};
     std::error_code ec;
+    // Where the whole bake is there already, the part's files take the place of their likes.
+    const bool again = planOfManifest(m_request.folder) == m_plan;
+    const fs::path target = again ? m_request.folder : parts;
+    if (Status made = makeFolder(target); !made) return made;
     for (const std::vector<Json>& group : groups) {
       for (const Json& entry : group) {
         const std::string name = entry["path"];
         m_report.bytes += fs::file_size(m_work / name, ec);
-        fs::rename(m_work / name, parts / name, ec);
-        if (ec) return makeError(ErrorKind::Machine, (parts / name).string(), {}, "can't write: " + ec.message());
-        m_report.files.push_back(parts.filename() / name);
+        fs::rename(m_work / name, target / name, ec);
+        if (ec) return makeError(ErrorKind::Machine, (target / name).string(), {}, "can't write: " + ec.message());
+        m_report.files.push_back(again ? name : (parts.filename() / name).string());
       }
+    }
+    if (again) {
+      fs::remove_all(parts, ec);
+      return Done{};
     }
     if (Status noted = writePart(parts, {m_header.first, m_header.last, m_header.fastest, m_seam, std::move(groups)});
         !noted)
       return noted;
-    std::optional<BakePart> whole = joinParts(readParts(parts), m_header.frames);
+    std::vector<BakePart> there = readParts(parts);
+    m_report.missing = missingFrames(there, m_header.frames);
+    tellOfOtherParts(parts);
+    std::optional<BakePart> whole = joinParts(std::move(there), m_header.frames);
     m_report.complete = whole.has_value();
     if (!whole) return Done{};
     m_report.files.clear();
@@ -206,6 +250,7 @@ class Baker {
     m_header.first = 0;
     m_header.last = m_header.frames - 1;
     m_header.fastest = whole->fastest;
+    m_header.fullScale = m_request.fullScale.value_or(fullScaleFor(whole->fastest));
     m_seam = whole->seam;
     std::vector<BakedFile> files;
     for (const std::vector<Json>& group : whole->groups) {
@@ -214,6 +259,20 @@ class Baker {
     if (Status finished = finishWhole(std::move(whole->groups), std::move(files), parts); !finished) return finished;
     fs::remove_all(parts, ec);
     return Done{};
+  }
+
+  [[nodiscard]] bool keepWaiting() const { return !m_keepGoing || m_keepGoing({BakePhase::Writing, 1}); }
+
+  /// Parts of another plan in the same folder: most often a range was baked with other options by mistake.
+  void tellOfOtherParts(const fs::path& own) const {
+    std::error_code ec;
+    for (const fs::directory_entry& entry : fs::directory_iterator(m_request.folder, ec)) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(".parts-") && entry.path() != own) {
+        logWarning((m_request.folder / name).string() +
+                   " holds parts of a bake with other settings, which don't belong to this one");
+      }
+    }
   }
 
   /// What a writer had said of a file of another part.
@@ -227,9 +286,11 @@ class Baker {
 
   Simulation& m_simulation;
   const BakeRequest& m_request;
+  const std::function<bool(const BakeProgress&)>& m_keepGoing;
   fs::path m_work;
   BakeHeader m_header;
   FrameStreams m_streams;
+  std::string m_plan;  // the same in all parts of one bake
   SeamReport m_seam;
   BakeReport m_report;
 };
@@ -255,6 +316,10 @@ BakeHeader headerOf(const Project& project, const BakeRequest& request) {
   header.space = request.space;
   header.profile = request.profile;
   header.project = project.name;
+  for (const WriterKind* kind : request.formats) {
+    if (!header.formats.empty()) header.formats.push_back(',');
+    header.formats.append(kind->name);
+  }
   return header;
 }
 
@@ -263,7 +328,10 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
   WL_REQUIRE(!request.formats.empty(), "a bake has a format");
   WL_REQUIRE(request.plan.frames >= 1 && request.plan.frames <= kMaxBakeFrames, "number of frames out of range");
   if (Status can = requireWritable(request, headerOf(simulation.project(), request)); !can) return can.error();
-  if (Status made = makeFolder(request.folder); !made) return made.error();
+  if (const auto older = filesOfManifest(request.folder); !older) return older.error();
+  if (simulation.project().solver->source == WindSource::Card && request.loop) warnOfTurnedCard(request.plan);
+  const MadeFolders made(request.folder);
+  if (Status there = makeFolder(request.folder); !there) return there.error();
   Result<WorkFolder> work = WorkFolder::create(request.folder);
   if (!work) return work.error();
   Baker baker(simulation, request, keepGoing, work->path());

@@ -48,11 +48,12 @@ struct BakeProgress {
 };
 
 struct BakeReport {
-  bool cancelled = false;          ///< then nothing was written
-  bool complete = true;            ///< false: a part, and other parts are still missing
-  std::vector<std::string> files;  ///< names in the folder, the manifest last
-  SeamReport seam;                 ///< of a loop
-  std::uint64_t bytes = 0;         ///< of all of them
+  bool cancelled = false;                    ///< then nothing was written
+  bool complete = true;                      ///< false: a part, and other parts are still missing
+  std::vector<std::pair<int, int>> missing;  ///< these frames, first and last, where it isn't complete
+  std::vector<std::string> files;            ///< names in the folder, the manifest last
+  SeamReport seam;                           ///< of a loop
+  std::uint64_t bytes = 0;                   ///< of all of them
   BakeHeader header;
   long steps = 0;  ///< of the simulation at the end
 };

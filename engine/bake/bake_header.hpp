@@ -38,13 +38,15 @@ struct BakeHeader {
   int crossfade = 0;  ///< frames blended into the seam
   bool loop = false;
   bool periodicX = false, periodicZ = false;  ///< the field repeats there
-  float fastest = 0;    ///< m/s (rad): no cell of any frame is longer; 0 where no writer needs to know it
-  float fullScale = 1;  ///< m/s (rad) that integer formats encode as their greatest code; > 0
+  float fastest = 0;      ///< m/s (rad): no cell of any frame is longer; 0 where no writer needs to know it
+  float fastestHalf = 0;  ///< the same of vectors rounded to half floats
+  float fullScale = 1;    ///< m/s (rad) that integer formats encode as their greatest code; > 0
   Preset preset = Preset::Generic;
   FlowSpace space = FlowSpace::World;
   Track track;
   HeightProfile profile;  ///< how volumes go on above the field
   std::string project;    ///< its name
+  std::string formats;    ///< of the bake, as on the command line
 
   [[nodiscard]] int written() const { return last - first + 1; }
 };

@@ -26,7 +26,7 @@ BakePart partFrom(const Json& note) {
 }  // namespace
 
 fs::path partsFolder(const fs::path& folder, const std::string& key) {
-  return folder / (".parts-" + key.substr(0, 16));
+  return folder / (".parts-" + key);
 }
 
 Status writePart(const fs::path& parts, const BakePart& part) {
@@ -34,6 +34,17 @@ Status writePart(const fs::path& parts, const BakePart& part) {
                      {"seam", part.seam.seam}, {"step", part.seam.step}, {"groups", part.groups}};
   const std::string name = std::string(kNote) + std::to_string(part.first) + "-" + std::to_string(part.last) + ".json";
   return writeFileAtomically(parts / name, note.dump());
+}
+
+/// A part whose files were lost, or moved out by a bake that was killed then, counts as missing.
+bool hasAllFiles(const fs::path& parts, const BakePart& part) {
+  std::error_code ec;
+  for (const std::vector<Json>& group : part.groups) {
+    for (const Json& entry : group) {
+      if (!fs::exists(parts / entry.value("path", std::string("?")), ec)) return false;
+    }
+  }
+  return true;
 }
 
 std::vector<BakePart> readParts(const fs::path& parts) {
@@ -45,13 +56,25 @@ std::vector<BakePart> readParts(const fs::path& parts) {
     if (!text) continue;
     const Json note = Json::parse(*text, nullptr, false);
     try {
-      found.push_back(partFrom(note));
+      BakePart part = partFrom(note);
+      if (hasAllFiles(parts, part)) found.push_back(std::move(part));
     } catch (const Json::exception&) {
       continue;  // not a note of ours: its frames count as missing
     }
   }
   std::ranges::sort(found, {}, [](const BakePart& part) { return std::pair(part.first, part.last); });
   return found;
+}
+
+std::vector<std::pair<int, int>> missingFrames(const std::vector<BakePart>& parts, int frames) {
+  std::vector<std::pair<int, int>> missing;
+  int next = 0;
+  for (const BakePart& part : parts) {
+    if (part.first > next) missing.emplace_back(next, part.first - 1);
+    next = std::max(next, part.last + 1);
+  }
+  if (next < frames) missing.emplace_back(next, frames - 1);
+  return missing;
 }
 
 std::optional<BakePart> joinParts(std::vector<BakePart> parts, int frames) {

@@ -26,8 +26,12 @@ std::filesystem::path partsFolder(const std::filesystem::path& folder, const std
 /// Writes the note of a part beside its files. Fails with Machine.
 Status writePart(const std::filesystem::path& parts, const BakePart& part);
 
-/// All parts that are noted there, by first frame. A note that can't be read is left out.
+/// All parts that are noted there, by first frame. A note that can't be read, or whose files aren't all there,
+/// is left out.
 std::vector<BakePart> readParts(const std::filesystem::path& parts);
+
+/// Ranges of frames (first, last) that none of the parts, sorted by first frame, has.
+std::vector<std::pair<int, int>> missingFrames(const std::vector<BakePart>& parts, int frames);
 
 /// The parts as one, with every frame once, where they hold all of 0 to frames - 1; else nothing.
 std::optional<BakePart> joinParts(std::vector<BakePart> parts, int frames);

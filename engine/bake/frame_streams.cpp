@@ -12,19 +12,18 @@ float fastestOf(std::span<const glm::vec2> cells) {
   return std::sqrt(square);
 }
 
-/// A speed to encode as full scale: the fastest wind rounded up to a hundredth; 1 m/s for still air.
-float rangeFor(float fastest) {
-  if (!(fastest > 0.0f)) return 1.0f;
-  const float rounded = std::ceil(fastest * 100.0f) / 100.0f;
-  return std::max(rounded, fastest);
-}
-
 /// field = mix(after, field, weight).
 void blend(std::vector<glm::vec2>& field, const std::vector<glm::vec2>& after, float weight) {
   for (std::size_t i = 0; i < field.size(); ++i) field[i] = glm::mix(after[i], field[i], weight);
 }
 
 }  // namespace
+
+float fullScaleFor(float fastest) {
+  if (!(fastest > 0.0f)) return 1.0f;
+  const float rounded = std::ceil(fastest * 100.0f) / 100.0f;
+  return std::max(rounded, fastest);
+}
 
 FrameStreams::FrameStreams(Simulation& simulation, const BakeRequest& request, const BakeHeader& header,
                            const std::function<bool(const BakeProgress&)>& keepGoing, std::filesystem::path work)
@@ -86,7 +85,7 @@ Result<StreamResult> FrameStreams::run() {
 }
 
 Status FrameStreams::openWriters() {
-  if (!m_request.fullScale) m_tracks.front().header.fullScale = rangeFor(header().fastest);
+  if (!m_request.fullScale) m_tracks.front().header.fullScale = fullScaleFor(header().fastest);
   for (std::size_t format = 0; format < m_request.formats.size(); ++format) {
     for (TrackStream& track : m_tracks) {
       Result<std::unique_ptr<FrameWriter>> writer = m_request.formats[format]->open(track.header, m_work);
@@ -130,8 +129,11 @@ Status FrameStreams::record(const std::function<Status(TrackStream&, int, std::s
     for (std::size_t t = 0; t < m_tracks.size(); ++t) {
       TrackStream& track = m_tracks[t];
       const std::span<const glm::vec2> field = t == 0 ? wind : m_response->bend(static_cast<int>(t) - 1);
-      if (m_written[static_cast<std::size_t>(frame)])
+      if (m_written[static_cast<std::size_t>(frame)]) {
         track.header.fastest = std::max(track.header.fastest, fastestOf(field));
+        // Half floats lie at most so far off in each component.
+        track.header.fastestHalf = track.header.fastest * (1.0f + 1.0f / 2048);
+      }
       if (Status given = sink(track, frame, field); !given) return given;
     }
     return Done{};

@@ -13,6 +13,9 @@
 
 namespace windloom {
 
+/// A speed to encode as full scale: the fastest wind rounded up to a hundredth; 1 m/s for still air.
+float fullScaleFor(float fastest);
+
 /// What one writer left.
 struct StreamFiles {
   BakeHeader header;

@@ -107,7 +107,7 @@ class Scene {
                        {"emissiveFactor", {0.1, 0.5, 0.9}}};
     gltf["materials"] = Json::array({blue});
     gltf["accessors"] = std::move(m_accessors);
-    const Json view = {{"buffer", 0}, {"byteLength", m_bytes.size()}, {"target", 34962}};
+    const Json view = {{"buffer", 0}, {"byteLength", m_bytes.size()}, {"byteStride", 12}, {"target", 34962}};
     gltf["bufferViews"] = Json::array({view});
     const Json buffer = {{"byteLength", m_bytes.size()},
                          {"uri", "data:application/octet-stream;base64," + base64(m_bytes)}};

@@ -21,4 +21,10 @@ inline std::uint16_t halfFromFloat(float value) {
   return static_cast<std::uint16_t>(sign | ((magnitude - 0x38000000u + 0xfffu + even) >> 13));
 }
 
+/// The value of a finite half: its bits in a float's place have an exponent that is 112 too low.
+inline float floatFromHalf(std::uint16_t half) {
+  const std::uint32_t bits = (half & 0x8000u) << 16 | (half & 0x7fffu) << 13;
+  return std::bit_cast<float>(bits) * 5.192296858534828e33f;  // 2^112
+}
+
 }  // namespace windloom

@@ -136,8 +136,10 @@ void LiveLink::writeCells(std::uint32_t* to, std::span<const glm::vec2> cells) {
   m_halves.resize(cells.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const glm::vec2 v = cells[i];
-    fastest = std::max(fastest, v.x * v.x + v.y * v.y);
-    m_halves[i] = halfFromFloat(v.x) | static_cast<std::uint32_t>(halfFromFloat(v.y)) << 16;
+    const std::uint16_t x = halfFromFloat(v.x), z = halfFromFloat(v.y);
+    const glm::vec2 stored(floatFromHalf(x), floatFromHalf(z));
+    fastest = std::max(fastest, glm::dot(stored, stored));
+    m_halves[i] = x | static_cast<std::uint32_t>(z) << 16;
   }
   m_fastest = std::sqrt(fastest);
   for (std::size_t i = 0; i < m_halves.size(); ++i) {

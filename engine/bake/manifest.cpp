@@ -61,6 +61,12 @@ Json responseOf() {
   return {{"units", "rad"}, {"full_scale", plain(kBendFullScale)}, {"classes", std::move(classes)}};
 }
 
+/// The text under a key of an object; empty where there is none.
+std::string textOf(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
 bool isPlainName(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
 }
@@ -81,6 +87,7 @@ Result<Json> manifestEntry(const BakedFile& file, const BakeHeader& header, cons
   } else if (isCoded(file.encoding)) {
     const TargetFrame target(header);
     entry["full_scale"] = plain(target.fullScale());
+    if (file.role == "flow") entry["zero_code"] = file.encoding == "unorm16" ? 32768 : 128;
     entry["units"] = target.unit();
   }
   for (const auto& [key, value] : file.details.items()) entry[key] = value;
@@ -141,6 +148,7 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
                          {"lengthUnit", "m"}};
   if (facts.response) manifest["response"] = responseOf();
   if (facts.card) manifest["card"] = true;
+  if (!facts.plan.empty()) manifest["plan"] = facts.plan;
   manifest["files"] = files;
   manifest["seed"] = project.solver->seed;
   manifest["solver"] = solverOf(project, backend);
@@ -148,17 +156,31 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
-std::vector<std::string> filesOfManifest(const std::filesystem::path& folder) {
+std::string planOfManifest(const std::filesystem::path& folder) {
   const Result<std::string> text = readFile(folder / "manifest.json", 64ull << 20);
   if (!text) return {};
   const Json manifest = Json::parse(*text, nullptr, false);
-  if (!manifest.is_object() || manifest.value("format", Json()) != "windpack" || !manifest.contains("files")) return {};
-  std::vector<std::string> names;
-  for (const Json& entry : manifest["files"]) {
-    if (!entry.is_object() || !entry.contains("path") || !entry["path"].is_string()) continue;
-    if (auto name = entry["path"].get<std::string>(); isPlainName(name)) names.push_back(std::move(name));
+  return manifest.is_object() ? textOf(manifest, "plan") : std::string();
+}
+
+Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& folder) {
+  std::vector<ListedFile> files;
+  std::error_code ignored;
+  const std::filesystem::path path = folder / "manifest.json";
+  if (!std::filesystem::exists(path, ignored)) return files;
+  const Result<std::string> text = readFile(path, 64ull << 20);
+  if (!text) return text.error();
+  const Json manifest = Json::parse(*text, nullptr, false);
+  if (!manifest.is_object() || textOf(manifest, "format") != "windpack" || !manifest.contains("files")) {
+    return makeError(ErrorKind::BadInput, path.string(), {},
+                     "is not the manifest of a bake; bake into another folder or move it away");
   }
-  return names;
+  for (const Json& entry : manifest["files"]) {
+    if (!entry.is_object()) continue;
+    if (std::string name = textOf(entry, "path"); isPlainName(name))
+      files.push_back({std::move(name), textOf(entry, "sha256")});
+  }
+  return files;
 }
 
 }  // namespace windloom

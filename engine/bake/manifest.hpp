@@ -25,14 +25,22 @@ struct ManifestFacts {
   SeamReport seam;    ///< of a loop
   bool response = false;
   bool card = false;  ///< the wind is the calibration card
+  std::string plan;   ///< names what was recorded and how: the same in all parts of one bake
 };
 
 /// The text. `backend` is the one that ran.
 std::string manifestText(const ManifestFacts& facts, const Project& project, Backend backend,
                          std::span<const nlohmann::ordered_json> files);
 
-/// The names of the files that the manifest in `folder` lists; empty where there is none or it isn't ours. Only plain
-/// names, never paths.
-std::vector<std::string> filesOfManifest(const std::filesystem::path& folder);
+/// The plan of the bake in `folder`; empty where there is none.
+std::string planOfManifest(const std::filesystem::path& folder);
+
+struct ListedFile {
+  std::string path, sha256;
+};
+
+/// The files that the manifest in `folder` lists; empty where there is none. Only plain names, never paths. Fails with
+/// BadInput where a manifest.json lies there that isn't of a bake.
+Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& folder);
 
 }  // namespace windloom

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
 
 #include "engine/bake/fill_template.hpp"
 #include "engine/bake/response.hpp"
 #include "engine/bake/target_frame.hpp"
 #include "engine/core/text.hpp"
 #include "engine/io/atomic_file.hpp"
+#include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
 
 namespace windloom {
@@ -16,8 +19,15 @@ namespace {
 /// A number as shader languages take it: always with a point or an exponent.
 std::string real(float value) {
   std::string text = shortest(value);
-  if (text.find_first_of(".e") == std::string::npos) text += ".0";
+  if (text.find_first_of(".e") == std::string::npos) text.append(".0");
   return text;
+}
+
+/// As real(), without the noise of a product of floats.
+std::string sixDigits(float value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.6g", static_cast<double>(value));
+  return real(std::strtof(text, nullptr));
 }
 
 /// Letters, digits and underscores only, for names in code.
@@ -61,6 +71,8 @@ class Sidecars {
       }
       if (done) done = writeGodotImports();
     }
+    m_values["OWN_FRAME"] = fillTemplate(sidecarTemplate("own_frame.md"), m_values);
+    m_values["VDB"] = fillTemplate(sidecarTemplate("vdb.md"), m_values);
     m_values["IMPORT"] = fillTemplate(sidecarTemplate("import_" + engine() + ".md"), m_values);
     m_values["CHECK"] = fillTemplate(sidecarTemplate(isCard() ? "check_card.md" : "check_other.md"), m_values);
     also("HOWTO.md");
@@ -87,9 +99,9 @@ class Sidecars {
   }
 
   /// Tells bakes of one project from each other, so that two may lie in one game.
-  [[nodiscard]] std::string checksum(const std::string& name) const {
-    std::string all = name + std::string(m_rules.name) + std::to_string(m_header.grid.resolution.x) + "x" +
-                      std::to_string(m_header.grid.resolution.y) + "x" + std::to_string(m_header.frames) + "@" +
+  [[nodiscard]] std::string checksum(const Project& project) const {
+    std::string all = writeProject(project) + std::string(m_rules.name) + std::to_string(m_header.grid.resolution.x) +
+                      "x" + std::to_string(m_header.grid.resolution.y) + "x" + std::to_string(m_header.frames) + "@" +
                       shortest(m_header.start) + "/" + shortest(m_header.fps);
     for (const BakedFile& file : m_files) all += file.path;
     return sha256(all).substr(0, 6);
@@ -105,7 +117,7 @@ class Sidecars {
         {"NAME", harmless(project.name)},
         {"PRESET", std::string(m_rules.name)},
         {"OTHER", m_rules.negateX ? "unity-negz" : "unity"},
-        {"IDENTIFIER", identifier(project.name) + "_" + checksum(project.name)},
+        {"IDENTIFIER", identifier(project.name) + "_" + checksum(project)},
         {"AXIS_A", std::string(m_rules.axes[0])},
         {"AXIS_B", std::string(m_rules.axes[1])},
         {"LENGTH_UNIT", std::string(m_rules.lengthUnit)},
@@ -119,7 +131,7 @@ class Sidecars {
         {"MAX_B", real(bounds.max.y)},
         {"SIZE_A", real(size.x)},
         {"SIZE_B", real(size.y)},
-        {"FULL_SCALE", real(target.fullScale())},
+        {"FULL_SCALE", sixDigits(target.fullScale())},
         {"FACTOR_A", real(target.factor().x)},
         {"FACTOR_B", real(target.factor().y)},
         {"FPS", real(static_cast<float>(m_header.fps))},
@@ -141,7 +153,9 @@ class Sidecars {
         {"BEND_FULL_SCALE", real(kBendFullScale)},
         {"SPACE_WORDS", m_header.space == FlowSpace::Uv ? ", in texture coordinates a second" : ""},
         {"SNIPPET", "wind." + shaderKind()},
-        {"FORMATS", formats()},
+        {"FORMATS", m_header.formats},
+        {"SPACE_OPTION", m_header.space == FlowSpace::Uv ? " --space uv" : ""},
+        {"NEGATED", m_rules.negateX ? "z instead of x" : "x instead of z"},
         {"SLAB_STRENGTH", slabStrength()},
     };
     describeBorders();
@@ -154,10 +168,16 @@ class Sidecars {
                                : x || z
                                    ? "repeat along " + std::string(m_rules.axes[x ? 0 : 1]) + ", clamp along the other"
                                    : "clamp";
-    m_values["WRAP"] = x && z ? "Repeat" : "Clamp";
-    m_values["REPEAT"] = x && z ? "repeat_enable" : "repeat_disable";
-    m_values["ADDRESS_A"] = x ? "TA_WRAP" : "TA_CLAMP";
-    m_values["ADDRESS_B"] = z ? "TA_WRAP" : "TA_CLAMP";
+    m_values["WRAP_A"] = std::string(x ? "Repeat" : "Clamp");
+    m_values["WRAP_B"] = std::string(z ? "Repeat" : "Clamp");
+    m_values["REPEAT"] = std::string(x || z ? "repeat_enable" : "repeat_disable");
+    m_values["CLAMP_A"] = std::string(x ? "0" : "1");
+    m_values["CLAMP_B"] = std::string(z ? "0" : "1");
+    const glm::vec2 half = 0.5f / glm::vec2(m_header.grid.resolution);
+    m_values["HALF_A"] = real(half.x);
+    m_values["HALF_B"] = real(half.y);
+    m_values["ADDRESS_A"] = std::string(x ? "TA_WRAP" : "TA_CLAMP");
+    m_values["ADDRESS_B"] = std::string(z ? "TA_WRAP" : "TA_CLAMP");
     m_values["ROW_WORDS"] = std::string(m_rules.firstRowHigh ? "high " : "low ") + std::string(m_rules.axes[1]) +
                             (m_rules.vUpwards ? ": v = 0 is the bottom row" : ": v = 0 is the top row");
   }
@@ -166,12 +186,50 @@ class Sidecars {
     std::string list, test;
     for (const BakedFile& file : m_files) {
       if (!isImage(file.path)) continue;
-      list += (list.empty() ? "\"" : ",\n         \"") + file.path + "\"";
+      if (!list.empty()) list.append(",\n         ");
+      list.append("\"").append(file.path).append("\"");
     }
-    for (const std::string& prefix : imagePrefixes())
-      test += (test.empty() ? "" : " || ") + ("name.StartsWith(\"" + prefix + "\")");
+    for (const std::string& prefix : imagePrefixes()) {
+      if (!test.empty()) test.append(" || ");
+      test.append("name.StartsWith(\"").append(prefix).append("\")");
+    }
     m_values["FILE_LIST"] = list;
-    m_values["FILE_TEST"] = test.empty() ? "false" : test;
+    const auto flag = [&](const char* key, auto holds) { m_values[key] = std::string(has(holds) ? "1" : "0"); };
+    m_values["HAS_FULL_SCALE"] =
+        std::ranges::any_of(m_files,
+                            [](const BakedFile& f) { return f.encoding == "bc5" || f.encoding.starts_with("unorm"); })
+            ? "1"
+            : "0";
+    const auto ending = [](std::string_view end) {
+      return [end](const std::string& path) { return path.ends_with(end); };
+    };
+    flag("HAS_IMAGES",
+         [](const std::string& path) { return isImage(path) && path.find("slab.") == std::string::npos; });
+    flag("HAS_CODES", [](const std::string& path) { return path.find("flow.") != std::string::npos; });
+    flag("HAS_ATLAS", ending("flow-atlas.png"));
+    flag("HAS_DDS", ending("wind.dds"));
+    flag("HAS_TEXTURES", [](const std::string& path) { return path.ends_with(".dds") || path.ends_with(".ktx2"); });
+    flag("HAS_FGA", ending(".fga"));
+    flag("HAS_VF", ending(".vf"));
+    flag("HAS_VDB", ending(".vdb"));
+    flag("HAS_PACK", ending(".windpack"));
+    flag("HAS_NPY", ending(".npy"));
+    flag("HAS_SLAB", [](const std::string& path) { return path.starts_with("slab."); });
+    m_values["HAS_GD"] = std::string(godotFrames().empty() ? "0" : "1");
+    describeTiles();
+    if (test.empty()) test.append("false");
+    m_values["FILE_TEST"] = test;
+  }
+
+  void describeTiles() {
+    for (const char* key : {"TILES_A", "TILES_B", "TILE_COUNT"}) m_values[key] = std::string("0");
+    for (const BakedFile& file : m_files) {
+      if (!file.details.contains("tiles")) continue;
+      const int across = file.details["tiles"][0], down = file.details["tiles"][1];
+      m_values["TILES_A"] = std::to_string(across);
+      m_values["TILES_B"] = std::to_string(down);
+      m_values["TILE_COUNT"] = real(static_cast<float>(across * down));
+    }
   }
 
   /// "flow.", "wind." ...: what names of images begin with.
@@ -184,20 +242,6 @@ class Sidecars {
     return prefixes;
   }
 
-  /// Formats to bake the calibration card with: those that this bake has images and textures of.
-  [[nodiscard]] std::string formats() const {
-    std::string names;
-    const auto add = [&](std::string_view ending, const char* format) {
-      if (has([&](const std::string& path) { return path.ends_with(ending); }))
-        names += (names.empty() ? "" : ",") + std::string(format);
-    };
-    add(".exr", "exr");
-    add(".dds", "dds");
-    add(".ktx2", "ktx2");
-    add(".png", "png");
-    return names.empty() ? "png" : names;
-  }
-
   [[nodiscard]] std::string slabStrength() const {
     for (const BakedFile& file : m_files) {
       if (file.details.contains("strength")) return shortest(file.details["strength"].get<float>());
@@ -207,6 +251,7 @@ class Sidecars {
 
   /// The file that loads as Texture2DArray, for wind.gd.
   [[nodiscard]] std::string godotFrames() const {
+    if (m_header.frames < 2) return {};  // one frame is a plain texture
     for (const char* name : {"wind.dds", "wind-rgba.dds", "flow-atlas.png"}) {
       if (has([&](const std::string& path) { return path == name; })) return name;
     }

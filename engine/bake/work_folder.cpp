@@ -5,9 +5,11 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <thread>
 #include <utility>
 
 namespace windloom {
@@ -36,14 +38,33 @@ Status syncFiles(const fs::path& folder) {
   return makeError(ErrorKind::Machine, folder.string(), {}, std::string("can't write: ") + std::strerror(code));
 }
 
-Result<FolderLock> FolderLock::take(const fs::path& folder) {
+MadeFolders::MadeFolders(const fs::path& folder) {
+  std::error_code ec;
+  for (fs::path path = fs::absolute(folder, ec); !path.empty() && !fs::exists(path, ec); path = path.parent_path())
+    m_absent.push_back(path);
+}
+
+MadeFolders::~MadeFolders() {
+  std::error_code ignored;
+  for (const fs::path& path : m_absent) {
+    if (fs::is_directory(path, ignored)) fs::remove(path, ignored);  // refuses one that holds anything
+  }
+}
+
+Result<FolderLock> FolderLock::take(const fs::path& folder, const std::function<bool()>& keepWaiting) {
   // The folder itself is locked, so no lock file stays behind.
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   int locked = -1;
   if (descriptor >= 0) {
-    do {
-      locked = ::flock(descriptor, LOCK_EX);
-    } while (locked != 0 && errno == EINTR);
+    locked = ::flock(descriptor, LOCK_EX | LOCK_NB);
+    while (locked != 0 && (errno == EWOULDBLOCK || errno == EINTR)) {
+      if (!keepWaiting()) {
+        ::close(descriptor);
+        return FolderLock(-1);
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      locked = ::flock(descriptor, LOCK_EX | LOCK_NB);
+    }
   }
   if (locked == 0) return FolderLock(descriptor);
   const int code = errno;

@@ -2,6 +2,8 @@
 // Where the files of a bake come into being.
 
 #include <filesystem>
+#include <functional>
+#include <vector>
 
 #include "engine/core/result.hpp"
 
@@ -26,11 +28,26 @@ class WorkFolder {
 /// Fails with Machine (the disk is full or broken).
 Status syncFiles(const std::filesystem::path& folder);
 
+/// Remembers which parents of a folder, and the folder, weren't there; when it goes, removes those that are empty. So a
+/// bake that fails leaves no empty folders.
+class MadeFolders {
+ public:
+  explicit MadeFolders(const std::filesystem::path& folder);
+  ~MadeFolders();
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+ private:
+  std::vector<std::filesystem::path> m_absent;  // the innermost first
+};
+
 /// Holds a folder for itself until it goes: programs that finish parts of one bake come one after the other.
 class FolderLock {
  public:
-  /// Waits for another program that has it. Fails with Machine.
-  static Result<FolderLock> take(const std::filesystem::path& folder);
+  /// Waits for another program that has it, as long as `keepWaiting` says so; then it is not held(). Fails with
+  /// Machine.
+  static Result<FolderLock> take(const std::filesystem::path& folder, const std::function<bool()>& keepWaiting);
+  [[nodiscard]] bool held() const { return m_descriptor >= 0; }
   ~FolderLock();
   FolderLock(FolderLock&& other) noexcept;
   FolderLock& operator=(FolderLock&&) = delete;

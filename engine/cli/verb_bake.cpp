@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -96,7 +98,9 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
   BakeRequest request;
   request.folder = options.out;
   request.loop = options.loop;
-  for (const std::string& name : options.formats) {
+  for (std::string name : options.formats) {
+    std::erase(name, ' ');
+    std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const WriterKind* kind = writerKindNamed(name);
     if (kind == nullptr) {
       return makeError(ErrorKind::Usage, "--format: found '" + name + "', expected of " + namesOf(writerKinds()));
@@ -138,19 +142,22 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
 void printReport(const Options& options, const BakeReport& report, Backend backend, double wallSeconds) {
   const BakeHeader& header = report.header;
   if (options.json) {
-    printJson({{"ok", true},
-               {"folder", options.out},
-               {"files", report.files},
-               {"bytes", report.bytes},
-               {"frames", header.frames},
-               {"fps", header.fps},
-               {"grid", {header.grid.resolution.x, header.grid.resolution.y}},
-               {"steps", report.steps},
-               {"complete", report.complete},
-               {"seam", {{"change", jsonNumber(report.seam.seam)}, {"largestStep", jsonNumber(report.seam.step)}}},
-               {"backend", backendName(backend)},
-               {"fastest", jsonNumber(header.fastest)},
-               {"wallSeconds", wallSeconds}});
+    Json json = {{"ok", true},
+                 {"folder", options.out},
+                 {"files", report.files},
+                 {"bytes", report.bytes},
+                 {"frames", header.frames},
+                 {"fps", header.fps},
+                 {"grid", {header.grid.resolution.x, header.grid.resolution.y}},
+                 {"steps", report.steps},
+                 {"complete", report.complete},
+                 {"backend", backendName(backend)},
+                 {"fastest", jsonNumber(header.fastest)},
+                 {"wallSeconds", wallSeconds}};
+    if (!report.complete) json["missing"] = report.missing;
+    if (header.crossfade > 0 && report.complete)
+      json["seam"] = {{"change", jsonNumber(report.seam.seam)}, {"largestStep", jsonNumber(report.seam.step)}};
+    printJson(json);
     return;
   }
   std::printf("%s: %zu files, %s MB: %d frames of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
@@ -158,12 +165,20 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
               header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
               fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend),
               fixed(wallSeconds, 1).c_str());
-  if (header.crossfade > 0) {
+  if (header.crossfade > 0 && report.complete) {
     std::printf("loop: from the last frame to the first the wind changes by at most %s m/s, between others by %s m/s\n",
                 fixed(static_cast<double>(report.seam.seam), 2).c_str(),
                 fixed(static_cast<double>(report.seam.step), 2).c_str());
   }
-  if (!report.complete) std::printf("part of a bake: frames of other parts are still missing\n");
+  if (!report.complete) {
+    std::string missing;
+    for (const auto& [first, last] : report.missing)
+      missing.append(missing.empty() ? "" : ", ")
+          .append(std::to_string(first))
+          .append("-")
+          .append(std::to_string(last));
+    std::printf("part of a bake: frames %s are still missing\n", missing.c_str());
+  }
 }
 
 int listFormats(const Options& options) {

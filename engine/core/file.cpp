@@ -87,10 +87,8 @@ Status writeFileAtomically(const fs::path& path, std::string_view bytes, Backup 
     const Descriptor d{::mkostemp(temporary.data(), O_CLOEXEC)};
     if (d.fd < 0) return ioError(path, "write", errno);
     struct stat old {};
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
     const bool exists = ::stat(target.c_str(), &old) == 0;
-    if (::fchmod(d.fd, exists ? old.st_mode & 07777 : 0666 & ~mask) != 0) failure = errno;
+    if (::fchmod(d.fd, exists ? old.st_mode & 07777 : newFileMode()) != 0) failure = errno;
     if (failure == 0) failure = writeAll(d.fd, bytes);
     if (failure == 0 && ::fsync(d.fd) != 0) failure = errno;
   }
@@ -102,6 +100,15 @@ Status writeFileAtomically(const fs::path& path, std::string_view bytes, Backup 
   }
   syncFolder(target.has_parent_path() ? target.parent_path() : fs::path("."));
   return Done{};
+}
+
+unsigned newFileMode() {
+  static const mode_t mode = [] {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    return 0666 & ~mask;
+  }();
+  return mode;
 }
 
 Status makeFolder(const fs::path& path) {

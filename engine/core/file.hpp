@@ -21,6 +21,10 @@ enum class Backup { None, KeepOne };
 /// and no temporary file stays.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, Backup backup = Backup::None);
 
+/// Access rights of new files, as the process's umask wants them. The umask can only be read by changing it for a
+/// moment, so it is read once: threads that write files at the same time must not meet that moment.
+unsigned newFileMode();
+
 /// Makes a folder and its parents. Fails with Machine.
 Status makeFolder(const std::filesystem::path& path);
 

@@ -9,6 +9,8 @@
 #include <cstring>
 #include <utility>
 
+#include "engine/core/file.hpp"
+
 namespace windloom {
 
 Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
@@ -17,9 +19,7 @@ Result<AtomicFile> AtomicFile::create(const std::filesystem::path& path) {
   file.m_temporary = path.string() + ".XXXXXX";
   file.m_descriptor = ::mkostemp(file.m_temporary.data(), O_CLOEXEC);
   if (file.m_descriptor < 0) return file.failure(errno);
-  const mode_t mask = ::umask(0);
-  ::umask(mask);
-  if (::fchmod(file.m_descriptor, 0666 & ~mask) != 0) return file.failure(errno);
+  if (::fchmod(file.m_descriptor, newFileMode()) != 0) return file.failure(errno);
   return file;
 }
 

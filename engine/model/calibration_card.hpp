@@ -13,8 +13,8 @@ inline constexpr float kCardSpeed = 5.0f;  ///< m/s of the part that turns: alon
 inline constexpr float kCardCode = 2.0f;   ///< m/s of the part that tells the place
 inline constexpr float kCardFastest = 7.83f;  ///< m/s: nowhere is more than kCardSpeed + sqrt(2) kCardCode
 
-/// Wind in m/s at `part` of the field (0..1 along x and z) and time `seconds`. The shader snippets of shaders/export
-/// have the same lines.
+/// Wind in m/s at `part` of the field (0..1 along x and z) and time `seconds`. The shader code of
+/// engine/bake/sidecars has the same lines.
 glm::vec2 cardWind(glm::vec2 part, double seconds);
 
 }  // namespace windloom

@@ -14,7 +14,7 @@ struct windloom_pack {
   float cells_per_m_x, cells_per_m_z;
   float height_scale; /* 1 / ln(1 + reference height / roughness); 0: no profile */
   int float_cells;    /* 1: cells of two floats, else of two halves */
-  int fast_batches;   /* this processor has what sample_avx2.c needs */
+  int fast_batches;   /* this processor has what sample_fast.c needs */
   void* cells;        /* frame after frame, z ascending: vx, vz; as uint32_t vx lies in the low half */
 };
 

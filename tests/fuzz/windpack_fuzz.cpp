@@ -26,7 +26,7 @@ void require(bool holds, const char* what) {
 
 /// But for products of weights so small that a float holds them with few digits.
 bool same(float a, float b) {
-  return a == b || std::isnan(a) || std::isnan(b) || std::fabs(a - b) < 1e-30f;
+  return a == b || (std::isnan(a) && std::isnan(b)) || std::fabs(a - b) < 1e-30f;
 }
 
 void sampleAll(windloom_pack* pack) {

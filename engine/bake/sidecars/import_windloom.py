@@ -1,4 +1,4 @@
-"""Imports the wind images of this folder into Unreal with the right settings. In the editor, with the Python Editor Script
+"""Imports the wind images of this folder (16-bit ones as half floats) into Unreal with the right settings. In the editor, with the Python Editor Script
 Plugin on: Tools > Execute Python Script, choose this file. The textures come to /Game/Windloom/@IDENTIFIER@."""
 import pathlib
 
@@ -35,5 +35,5 @@ for name, task in zip(FILES, tasks):
     for asset_path in task.imported_object_paths:
         asset = unreal.load_asset(asset_path)
         if isinstance(asset, unreal.Texture2D):
-            set_up(asset, name.endswith(".exr"))
+            set_up(asset, name.endswith(".exr") or "flow16." in name)
         unreal.EditorAssetLibrary.save_asset(asset_path)

@@ -7,6 +7,14 @@ float2 windAt(Texture2DArray frames, SamplerState linearSampler, float2 ground, 
               windFromHalf(frames.SampleLevel(linearSampler, float3(uv, f.y), 0)), f.z);
 }
 
+// The same from an array of 8-bit codes, e.g. the flipbook atlas imported as an array.
+float2 windAt8(Texture2DArray frames, SamplerState linearSampler, float2 ground, float seconds) {
+  float3 f = windFrames(seconds);
+  float2 uv = windUv(ground);
+  return lerp(windFrom8(frames.SampleLevel(linearSampler, float3(uv, f.x), 0)),
+              windFrom8(frames.SampleLevel(linearSampler, float3(uv, f.y), 0)), f.z);
+}
+
 // The same from two images of a sequence, e.g. two 8-bit flow maps: frames x and y of windFrames(seconds).
 float2 windBetween(Texture2D early, Texture2D late, SamplerState linearSampler, float2 ground, float seconds) {
   float2 uv = windUv(ground);

@@ -35,6 +35,13 @@ TEST(BakeParts, AreAWholeWhenEveryFrameIsThere) {
   EXPECT_EQ(whole->fastest, 0.3f);
 }
 
+TEST(BakeParts, TellWhichFramesAreMissing) {
+  using Ranges = std::vector<std::pair<int, int>>;
+  EXPECT_EQ(missingFrames({}, 4), (Ranges{{0, 3}}));
+  EXPECT_EQ(missingFrames({partOf(0, 3)}, 4), Ranges{});
+  EXPECT_EQ(missingFrames({partOf(1, 2), partOf(2, 2), partOf(5, 6)}, 9), (Ranges{{0, 0}, {3, 4}, {7, 8}}));
+}
+
 TEST(BakeParts, TakeEveryFrameOnceWhereTheyOverlap) {
   const std::optional<BakePart> whole = joinParts({partOf(0, 2), partOf(1, 1), partOf(1, 4), partOf(4, 5)}, 6);
   ASSERT_TRUE(whole);
@@ -48,10 +55,12 @@ TEST(BakeParts, AreReadBackAsTheyWereNoted) {
   part.seam = {1.25f, 0.7f};
   ASSERT_TRUE(writePart(folder.path(), part));
   ASSERT_TRUE(writePart(folder.path(), partOf(0, 2)));
+  ASSERT_TRUE(writePart(folder.path(), partOf(7, 7)));
+  for (const char* name : {"0", "1", "2", "3", "4"}) ASSERT_TRUE(writeFileAtomically(folder.path() / name, "a frame"));
   ASSERT_TRUE(writeFileAtomically(folder.path() / "part-9-9.json", "{\"first\": 9}"));
   ASSERT_TRUE(writeFileAtomically(folder.path() / "part-8-8.json", "{"));
   const std::vector<BakePart> parts = readParts(folder.path());
-  ASSERT_EQ(parts.size(), 2u) << "a damaged note is a missing part";
+  ASSERT_EQ(parts.size(), 2u) << "a damaged note is a missing part, and so is one without its files";
   EXPECT_EQ(parts[0].first, 0);
   EXPECT_EQ(parts[1].fastest, 0.1f);
   EXPECT_EQ(parts[1].seam.seam, 1.25f);

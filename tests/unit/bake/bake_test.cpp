@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "engine/bake/response.hpp"
+#include "engine/bake/work_folder.hpp"
 #include "engine/core/file.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/sha256.hpp"
@@ -207,6 +208,44 @@ TEST(Bake, RemovesWhatOnlyTheOlderBakeHad) {
   EXPECT_TRUE(fs::exists(folder.path() / "notes.txt"));
 }
 
+TEST(Bake, LeavesAloneWhatWasChangedSinceTheOlderBake) {
+  const TemporaryFolder folder;
+  mustBake(smallProject(), requestFor(folder.path(), {"png"}, {0, 10, 3, 0}));
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "flow.0002.png", "painted over"));
+  mustBake(smallProject(), requestFor(folder.path(), {"png"}, {0, 10, 1, 0}));
+  EXPECT_FALSE(fs::exists(folder.path() / "flow.0001.png"));
+  EXPECT_EQ(readFile(folder.path() / "flow.0002.png").value(), "painted over");
+}
+
+TEST(Bake, RefusesAFolderWithAnotherManifest) {
+  const TemporaryFolder folder;
+  for (const char* text : {"{}", "not JSON", "{\"format\": \"webapp\", \"files\": []}"}) {
+    ASSERT_TRUE(writeFileAtomically(folder.path() / "manifest.json", text));
+    const Result<BakeReport> report =
+        bake(*simulate(smallProject()), requestFor(folder.path(), {"npy"}, {0, 10, 1, 0}), {});
+    ASSERT_FALSE(report) << text;
+    EXPECT_EQ(report.error().kind, ErrorKind::BadInput);
+    EXPECT_NE(report.error().text().find("manifest.json"), std::string::npos);
+    EXPECT_EQ(readFile(folder.path() / "manifest.json").value(), text);
+    EXPECT_EQ(folder.entries(), 1);
+  }
+}
+
+TEST(Bake, LeavesNoEmptyFolderWhenItEndsEarly) {
+  const TemporaryFolder folder;
+  const auto at = [&](const fs::path& path) {
+    const Result<BakeReport> report = bake(*simulate(smallProject()), requestFor(path, {"npy"}, {0, 10, 9, 0}),
+                                           [](const BakeProgress& p) { return p.part < 0.3; });
+    return report && report->cancelled;
+  };
+  EXPECT_TRUE(at(folder.path() / "new" / "deeper"));
+  EXPECT_EQ(folder.entries(), 0);
+  fs::create_directory(folder.path() / "mine");
+  EXPECT_TRUE(at(folder.path() / "mine" / "deeper"));
+  EXPECT_TRUE(fs::exists(folder.path() / "mine")) << "what was there stays";
+  EXPECT_FALSE(fs::exists(folder.path() / "mine" / "deeper"));
+}
+
 TEST(Bake, SaysWhereItCannotWrite) {
   const TemporaryFolder folder;
   ASSERT_TRUE(writeFileAtomically(folder.path() / "taken", "a file"));
@@ -262,6 +301,61 @@ TEST(Bake, PartsOfAnotherPlanDoNotMix) {
   EXPECT_FALSE(mustBake(smallProject(), request).complete);
   request.fullScale = 6.0f;
   EXPECT_TRUE(mustBake(smallProject(), request).complete);
+}
+
+TEST(Bake, ARangeOfACompleteBakeIsPutBack) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"png"}, {0, 10, 4, 0});
+  request.fullScale = 6.0f;
+  mustBake(smallProject(), request);
+  const std::string lost = readFile(folder.path() / "flow.0002.png").value();
+  fs::remove(folder.path() / "flow.0002.png");
+  request.part = {2, 2};
+  EXPECT_TRUE(mustBake(smallProject(), request).complete);
+  EXPECT_EQ(readFile(folder.path() / "flow.0002.png").value(), lost);
+  EXPECT_EQ(folder.entries(), 5);
+}
+
+TEST(Bake, PartsThatBeganOtherwiseDoNotMix) {
+  const TemporaryFolder folder;
+  BakeRequest request = requestFor(folder.path(), {"png"}, {1, 10, 4, 0});
+  request.fullScale = 6.0f;
+  request.part = {0, 1};
+  EXPECT_FALSE(mustBake(smallProject(), request).complete);
+  request.part = {2, 3};
+  const auto late = simulate(smallProject());
+  late->startAt(0.5);
+  const Result<BakeReport> report = bake(*late, request, {});
+  ASSERT_TRUE(report);
+  EXPECT_FALSE(report->complete) << "another warm-up is another recording";
+  EXPECT_EQ(report->missing, (std::vector<std::pair<int, int>>{{0, 1}}));
+}
+
+TEST(Bake, AFolderInTheWayLeavesTheOlderBakeWhole) {
+  const TemporaryFolder folder;
+  mustBake(smallProject(), requestFor(folder.path(), {"png"}, {0, 10, 2, 0}));
+  const std::string frame = readFile(folder.path() / "flow.0000.png").value();
+  const std::string manifest = readFile(folder.path() / "manifest.json").value();
+  fs::create_directory(folder.path() / "flow.0002.png");
+  const Result<BakeReport> report =
+      bake(*simulate(smallProject()), requestFor(folder.path(), {"png"}, {0.5, 10, 3, 0}), {});
+  ASSERT_FALSE(report);
+  EXPECT_NE(report.error().text().find("flow.0002.png"), std::string::npos);
+  EXPECT_EQ(readFile(folder.path() / "flow.0000.png").value(), frame);
+  EXPECT_EQ(readFile(folder.path() / "manifest.json").value(), manifest);
+}
+
+TEST(Bake, WaitsForAnotherOneInTheFolderAndCanBeCancelledMeanwhile) {
+  const TemporaryFolder folder;
+  const Result<FolderLock> other = FolderLock::take(folder.path(), [] { return false; });
+  ASSERT_TRUE(other && other->held());
+  int asked = 0;
+  const Result<BakeReport> report =
+      bake(*simulate(smallProject()), requestFor(folder.path(), {"npy"}, {0, 10, 1, 0}),
+           [&](const BakeProgress& p) { return p.phase == BakePhase::Recording || ++asked < 3; });
+  ASSERT_TRUE(report);
+  EXPECT_TRUE(report->cancelled);
+  EXPECT_EQ(folder.entries(), 0);
 }
 
 TEST(Bake, RefusesPartsThatCannotBeTheSameAsTheWhole) {

@@ -31,6 +31,13 @@ TEST(Half, RoundsToTheNearest) {
   }
 }
 
+TEST(Half, IsReadBackAsItsValue) {
+  for (std::uint32_t half = 0; half <= 0x7bff; ++half) {
+    ASSERT_EQ(floatFromHalf(static_cast<std::uint16_t>(half)), valueOf(half));
+    ASSERT_EQ(floatFromHalf(static_cast<std::uint16_t>(half | 0x8000)), -valueOf(half));
+  }
+}
+
 TEST(Half, StaysFiniteBeyondItsRange) {
   EXPECT_EQ(halfFromFloat(65504.0f), 0x7bff);
   EXPECT_EQ(halfFromFloat(70000.0f), 0x7bff);
