@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <memory>
 
+#include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
@@ -55,6 +56,15 @@ Sizes sizesOf(const Project& project, double fps) {
     shellTextures = bytesOf(texture);
   }
   return {cells, blades, cells * kFieldBytes, perSecond(kNpyBytes), perSecond(kFlowMapBytes), shellTextures};
+}
+
+/// Of one second of the wind in a format.
+std::uint64_t exportBytes(const WriterKind& kind, const Project& project, double fps) {
+  BakeRequest request;
+  request.formats = {&kind};
+  request.plan.fps = fps;
+  request.plan.frames = std::max(1, static_cast<int>(std::lround(fps)));
+  return kind.bytes(headerOf(project, request));
 }
 
 std::string_view signalName(const Project& project, Id root) {
@@ -214,10 +224,14 @@ void printInfoJson(const Options& options, const Project& project, const std::ve
     output["arrivals"].push_back(
         {{"point", project.graph->points[i].id}, {"root", arrivals[i].root}, {"time", arrivals[i].time}});
   }
+  Json exports = Json::object();
+  for (const WriterKind& kind : writerKinds())
+    exports[std::string(kind.name)] = exportBytes(kind, project, options.fps);
   output["bytes"] = {{"field", sizes.field},
                      {"fps", options.fps},
                      {"npyPerSecond", sizes.npyPerSecond},
-                     {"flowMapPerSecond", sizes.flowMapPerSecond}};
+                     {"flowMapPerSecond", sizes.flowMapPerSecond},
+                     {"exportsPerSecond", std::move(exports)}};
   if (project.grass->kind == GrassKind::Shell) output["bytes"]["shellTextures"] = sizes.shellTextures;
   printJson(output);
 }
@@ -278,9 +292,12 @@ void printInfoText(const Options& options, const Project& project, const std::ve
   }
   printArrivals(project, arrivals);
   std::printf("memory     %s for the velocity field\n", megabytes(sizes.field).c_str());
-  std::printf("export     %s per second as npy, up to %s per second as flow-map PNG, at %s frames a second\n",
-              megabytes(sizes.npyPerSecond).c_str(), megabytes(sizes.flowMapPerSecond).c_str(),
+  std::printf("export     a second of %s frames at full resolution, in each format at most or about:\n",
               shortest(options.fps).c_str());
+  for (const WriterKind& kind : writerKinds()) {
+    std::printf("  %-14s %10s\n", std::string(kind.name).c_str(),
+                megabytes(static_cast<double>(exportBytes(kind, project, options.fps))).c_str());
+  }
 }
 
 int showInfo(const Options& options) {
