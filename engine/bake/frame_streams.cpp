@@ -3,12 +3,25 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/bake/half.hpp"
+
 namespace windloom {
 namespace {
 
 float fastestOf(std::span<const glm::vec2> cells) {
   float square = 0;
   for (const glm::vec2 v : cells) square = std::max(square, glm::dot(v, v));
+  return std::sqrt(square);
+}
+
+/// Of the vectors as half floats hold them.
+float fastestHalfOf(std::span<const glm::vec2> cells) {
+  const auto stored = [](float value) { return floatFromHalf(halfFromFloat(value)); };
+  float square = 0;
+  for (const glm::vec2 v : cells) {
+    const glm::vec2 half(stored(v.x), stored(v.y));
+    square = std::max(square, glm::dot(half, half));
+  }
   return std::sqrt(square);
 }
 
@@ -42,6 +55,7 @@ FrameStreams::FrameStreams(Simulation& simulation, const BakeRequest& request, c
   for (const WriterKind* kind : request.formats) {
     const bool known = kind->need == SpeedNeed::None || (kind->need == SpeedNeed::Range && request.fullScale);
     m_spooled = m_spooled || !known;
+    m_needsFastest = m_needsFastest || kind->need == SpeedNeed::Fastest;
   }
   planFrames();
 }
@@ -85,6 +99,10 @@ Result<StreamResult> FrameStreams::run() {
 }
 
 Status FrameStreams::openWriters() {
+  // Blended frames are no faster than what they are made of, but may round to halves that are.
+  if (m_request.plan.crossfade > 0) {
+    for (TrackStream& track : m_tracks) track.header.fastestHalf *= 1.0f + 1.0f / 2048;
+  }
   if (!m_request.fullScale) m_tracks.front().header.fullScale = fullScaleFor(header().fastest);
   for (std::size_t format = 0; format < m_request.formats.size(); ++format) {
     for (TrackStream& track : m_tracks) {
@@ -131,8 +149,7 @@ Status FrameStreams::record(const std::function<Status(TrackStream&, int, std::s
       const std::span<const glm::vec2> field = t == 0 ? wind : m_response->bend(static_cast<int>(t) - 1);
       if (m_written[static_cast<std::size_t>(frame)]) {
         track.header.fastest = std::max(track.header.fastest, fastestOf(field));
-        // Half floats lie at most so far off in each component.
-        track.header.fastestHalf = track.header.fastest * (1.0f + 1.0f / 2048);
+        if (m_needsFastest) track.header.fastestHalf = std::max(track.header.fastestHalf, fastestHalfOf(field));
       }
       if (Status given = sink(track, frame, field); !given) return given;
     }

@@ -75,7 +75,7 @@ class FrameStreams {
   std::vector<char> m_written;  // by recorded frame: part of a frame that is written
   std::vector<int> m_kept;      // by recorded frame: its place in the spools, -1: not kept
   int m_lastNeeded = 0;
-  bool m_spooled = false;
+  bool m_spooled = false, m_needsFastest = false;
   SeamMeter m_seam;
   StreamResult m_result;
   std::size_t m_writers = 0;

@@ -74,6 +74,7 @@ class Sidecars {
     m_values["OWN_FRAME"] = fillTemplate(sidecarTemplate("own_frame.md"), m_values);
     m_values["VDB"] = fillTemplate(sidecarTemplate("vdb.md"), m_values);
     m_values["IMPORT"] = fillTemplate(sidecarTemplate("import_" + engine() + ".md"), m_values);
+    while (m_values["IMPORT"].ends_with('\n')) m_values["IMPORT"].pop_back();
     m_values["CHECK"] = fillTemplate(sidecarTemplate(isCard() ? "check_card.md" : "check_other.md"), m_values);
     also("HOWTO.md");
     if (!done) return done.error();

@@ -61,7 +61,8 @@ std::string headerBytes(const BakeHeader& header, const Packing& packing) {
   put(bytes, WINDPACK_AT_MAX_Z, grid.minCorner.y + grid.size.y);
   put(bytes, WINDPACK_AT_FPS, static_cast<float>(header.fps));
   put(bytes, WINDPACK_AT_MAX_SPEED,
-      packing.floats ? header.fastest : std::min(std::max(header.fastest, header.fastestHalf), WINDPACK_MAX_HALF));
+      packing.floats ? header.fastest
+                     : std::min(header.fastestHalf > 0.0f ? header.fastestHalf : header.fastest, WINDPACK_MAX_HALF));
   put(bytes, WINDPACK_AT_START, header.start);
   put(bytes, WINDPACK_AT_DATA_BYTES, dataBytes(header, packing));
   const bool wind = header.track.quantity == Quantity::Wind;

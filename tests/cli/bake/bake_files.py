@@ -83,9 +83,8 @@ class BakedFiles(harness.Case):
         numpy.testing.assert_array_equal(halves, wind.astype("<f2"))
         self.assertEqual(header["corners"], (*LOW, *HIGH))
         self.assertEqual((header["fps"], header["start"], header["flags"]), (10, 0.1, 0))
-        speeds, stored = (numpy.hypot(a[..., 0].astype(float), a[..., 1].astype(float)).max() for a in (wind, halves))
-        self.assertGreaterEqual(header["fastest"], max(speeds, stored), "no cell is faster")
-        self.assertLess(header["fastest"], speeds * (1 + 2**-10))
+        stored = halves.astype(float)
+        self.assertAlmostEqual(header["fastest"], numpy.hypot(stored[..., 0], stored[..., 1]).max(), delta=1e-5)
         places = [(-3.3, -3.1, 0.14), (7.77, 1.5, 0.299), (-100, 3, 0.05), (5, 50, 9), (12.1, 4.2, 0)]
         words = [str(number) for place in places for number in place]
         printed = subprocess.run([SAMPLE_PACK, out / "wind.windpack", *words], capture_output=True, text=True,

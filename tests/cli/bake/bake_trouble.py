@@ -45,6 +45,33 @@ class BakeTrouble(harness.Case):
                 self.assertFalse(json.loads(done.stdout)["ok"])
                 self.assertFalse(out.exists(), "not even the folder that the bake made")
 
+    def test_a_bake_that_is_killed_leaves_a_whole_bake_or_none(self):
+        """Whenever it dies: every file that a manifest lists is there with its checksum."""
+        out, whole, none = self.folder / "killed", 0, 0
+        presets = ("unity", "unreal")
+        command = [WINDLOOM, "bake", self.project, "--backend", "cpu", "--out", out, "--format", "png,png16,exr,dds",
+                   "--seconds", "3", "--fps", "20", "--resolution", "32x20"]
+        started = time.monotonic()
+        subprocess.run([*command, "--preset", presets[0]], check=True, capture_output=True)
+        length = time.monotonic() - started
+        for n in range(24):
+            child = subprocess.Popen([*command, "--preset", presets[n % 2]], stdout=subprocess.DEVNULL,
+                                     stderr=subprocess.DEVNULL)
+            # Most of all near the end, where files are moved to their places.
+            time.sleep(length * (0.2 + 0.9 * (n / 23) ** 0.5))
+            child.kill()
+            child.wait()
+            if not (out / "manifest.json").exists():
+                none += 1
+                continue
+            whole += 1
+            for entry in json.loads((out / "manifest.json").read_text())["files"]:
+                self.assertEqual(harness.sha256(out / entry["path"]), entry["sha256"], f"{n}: {entry['path']}")
+        self.assertEqual(whole + none, 24)
+        self.assertGreater(whole, 0)
+        subprocess.run([*command, "--preset", presets[0]], check=True, capture_output=True)
+        self.assertTrue((out / "manifest.json").exists())
+
     def test_a_folder_that_cannot_be_made_is_said(self):
         below = self.project / "below"
         done = self.call("bake", self.project, "--out", below, "--format", "npy", "--backend", "cpu", status=3)
