@@ -1,5 +1,8 @@
-// 8-bit flow maps: R and G hold the vector along the target's two axes, B its length, A is 255. Code 128 is still air
-// and (code - 128) / 127 * full scale the exact decoding, so that no drift comes from rounding zero.
+// Flow maps of 8 or 16 bits: R and G hold the vector along the target's two axes, B its length, A is full. Code 128
+// (32768) is still air and (code - 128) / 127 * full scale the exact decoding, so that no drift comes from rounding
+// zero.
+
+#include <limits>
 
 #include "engine/bake/target_frame.hpp"
 #include "engine/bake/writers.hpp"
@@ -8,6 +11,25 @@
 namespace windloom {
 namespace {
 
+/// What differs between the depths.
+struct EightBits {
+  using Sample = std::uint8_t;
+  static constexpr const char* stem = "flow";
+  static constexpr const char* encoding = "unorm8";
+  static constexpr const char* words = "the flow maps";
+  static Sample signedCode(float part) { return signedCode8(part); }
+  static Sample unsignedCode(float part) { return unsignedCode8(part); }
+};
+struct SixteenBits {
+  using Sample = std::uint16_t;
+  static constexpr const char* stem = "flow16";
+  static constexpr const char* encoding = "unorm16";
+  static constexpr const char* words = "the 16-bit flow maps";
+  static Sample signedCode(float part) { return signedCode16(part); }
+  static Sample unsignedCode(float part) { return unsignedCode16(part); }
+};
+
+template <class Depth>
 class FlowMapWriter final : public FrameWriter {
  public:
   FlowMapWriter(const BakeHeader& header, std::filesystem::path folder)
@@ -16,27 +38,29 @@ class FlowMapWriter final : public FrameWriter {
   Status add(int frame, std::span<const glm::vec2> cells) override {
     m_target.image(cells, m_vectors);
     m_samples.resize(m_vectors.size() * 4);
-    std::uint8_t* pixel = m_samples.data();
+    Sample* pixel = m_samples.data();
     for (const glm::vec2 vector : m_vectors) {
       const glm::vec2 part = partOf(vector, m_target.fullScale(), m_clipped);
-      pixel[0] = signedCode8(part.x);
-      pixel[1] = signedCode8(part.y);
-      pixel[2] = unsignedCode8(glm::length(part));
-      pixel[3] = 255;
+      pixel[0] = Depth::signedCode(part.x);
+      pixel[1] = Depth::signedCode(part.y);
+      pixel[2] = Depth::unsignedCode(glm::length(part));
+      pixel[3] = std::numeric_limits<Sample>::max();
       pixel += 4;
     }
-    m_files.push_back({frameFile(m_track, "flow", frame, "png"), "flow", "unorm8", {{"frame", frame}}});
+    m_files.push_back({frameFile(m_track, Depth::stem, frame, "png"), "flow", Depth::encoding, {{"frame", frame}}});
     return writePicture(m_folder / m_files.back().path);
   }
 
   Result<std::vector<BakedFile>> finish() override {
-    warnOfClipping(m_clipped, m_target, "the flow maps");
+    warnOfClipping(m_clipped, m_target, Depth::words);
     return std::move(m_files);
   }
 
  private:
+  using Sample = typename Depth::Sample;
+
   Status writePicture(const std::filesystem::path& path) const {
-    auto png = PngStream<std::uint8_t>::create(path, m_resolution.x, m_resolution.y);
+    auto png = PngStream<Sample>::create(path, m_resolution.x, m_resolution.y);
     if (!png) return png.error();
     if (Status written = png->write(m_samples); !written) return written;
     return png->finish(Sync::Later);
@@ -47,15 +71,19 @@ class FlowMapWriter final : public FrameWriter {
   glm::ivec2 m_resolution;
   std::filesystem::path m_folder;
   std::vector<glm::vec2> m_vectors;
-  std::vector<std::uint8_t> m_samples;
+  std::vector<Sample> m_samples;
   std::vector<BakedFile> m_files;
   long long m_clipped = 0;
 };
 
 }  // namespace
 
-Result<std::unique_ptr<FrameWriter>> openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder) {
-  return std::unique_ptr<FrameWriter>(std::make_unique<FlowMapWriter>(header, folder));
+OpenedWriter openFlowMapWriter(const BakeHeader& header, const std::filesystem::path& folder) {
+  return std::unique_ptr<FrameWriter>(std::make_unique<FlowMapWriter<EightBits>>(header, folder));
+}
+
+OpenedWriter openPng16Writer(const BakeHeader& header, const std::filesystem::path& folder) {
+  return std::unique_ptr<FrameWriter>(std::make_unique<FlowMapWriter<SixteenBits>>(header, folder));
 }
 
 }  // namespace windloom

@@ -21,9 +21,8 @@ TargetFrame::TargetFrame(const BakeHeader& header)
     m_fullScale = header.fullScale * m_rules.unitsPerMetre;
     m_unit = m_rules.speedUnit;
   } else {
-    // u grows with the columns, as the first axis does; v grows down the file or up it, so it may run against the axis.
-    const float alongV = m_rules.firstRowHigh == m_rules.vUpwards ? 1.0f : -1.0f;
-    m_factor = signs * glm::vec2(1.0f, alongV) / header.grid.size;
+    // In every preset u grows with the first axis and v with the second: rows are ordered so that they do.
+    m_factor = signs / header.grid.size;
     m_fullScale = header.fullScale / std::min(header.grid.size.x, header.grid.size.y);
     m_unit = "uv/s";
   }
