@@ -9,7 +9,7 @@
 #include "engine/bake/writers.hpp"
 #include "engine/bake/zstd_stream.hpp"
 #include "engine/core/text.hpp"
-#include "engine/io/atomic_file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 namespace windloom {
 namespace {

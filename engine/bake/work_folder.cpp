@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,26 +10,74 @@
 #include <cstdlib>
 #include <cstring>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <utility>
 
 namespace windloom {
 namespace fs = std::filesystem;
 
+namespace {
+
+constexpr std::string_view kPrefix = ".bake.windloom.", kPlaces = "XXXXXX";
+constexpr int kAttempts = 20;
+
+int openFolder(const fs::path& folder) {
+  return ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
+}
+
+/// Whether it is still the folder of that name.
+bool isStill(int folder, const std::string& name) {
+  struct stat here {}, there {};
+  return ::fstat(folder, &here) == 0 && ::lstat(name.c_str(), &there) == 0 && here.st_ino == there.st_ino;
+}
+
+}  // namespace
+
 Result<WorkFolder> WorkFolder::create(const fs::path& parent) {
-  std::string name = (parent / ".bake.XXXXXX").string();
-  if (::mkdtemp(name.data()) == nullptr) {
-    return makeError(ErrorKind::Machine, parent.string(), {}, std::string("can't write here: ") + std::strerror(errno));
+  int code = EAGAIN;
+  for (int attempt = 0; attempt < kAttempts; ++attempt) {
+    std::string name = (parent / (std::string(kPrefix) + std::string(kPlaces))).string();
+    if (::mkdtemp(name.data()) == nullptr) {
+      code = errno;
+      break;
+    }
+    // Another bake may have met it before it was locked, and cleared it away.
+    const int folder = openFolder(name);
+    const bool locked = folder >= 0 && ::flock(folder, LOCK_EX) == 0;
+    if (!locked || isStill(folder, name)) return WorkFolder(name, folder);
+    ::close(folder);
   }
-  return WorkFolder(name);
+  return makeError(ErrorKind::Machine, parent.string(), {}, std::string("can't write here: ") + std::strerror(code));
 }
 
 WorkFolder::~WorkFolder() {
   std::error_code ignored;
   if (!m_path.empty()) fs::remove_all(m_path, ignored);
+  if (m_lock >= 0) ::close(m_lock);
 }
 
-WorkFolder::WorkFolder(WorkFolder&& other) noexcept : m_path(std::exchange(other.m_path, {})) {}
+WorkFolder::WorkFolder(WorkFolder&& other) noexcept
+    : m_path(std::exchange(other.m_path, {})), m_lock(std::exchange(other.m_lock, -1)) {}
+
+std::vector<WorkFolder> leftWorkFolders(const fs::path& parent) {
+  std::vector<WorkFolder> left;
+  std::error_code failed;
+  for (fs::directory_iterator it(parent, failed), end; !failed && it != end; it.increment(failed)) {
+    const std::string name = it->path().filename().string();
+    if (!name.starts_with(kPrefix) || name.size() != kPrefix.size() + kPlaces.size()) continue;
+    const int folder = openFolder(it->path());
+    if (folder < 0) continue;
+    struct stat found {};
+    const bool ours = ::fstat(folder, &found) == 0 && found.st_uid == ::geteuid();
+    if (ours && ::flock(folder, LOCK_EX | LOCK_NB) == 0) {
+      left.push_back(WorkFolder(it->path(), folder));
+    } else {
+      ::close(folder);
+    }
+  }
+  return left;
+}
 
 Status syncFiles(const fs::path& folder) {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);

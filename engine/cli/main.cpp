@@ -1,9 +1,11 @@
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
 
 #include "engine/cli/common.hpp"
 #include "engine/cli/verbs.hpp"
+#include "engine/core/process.hpp"
 
 namespace windloom::cli {
 namespace {
@@ -15,6 +17,17 @@ int usageError(const CLI::App& app, const CLI::ParseError& error, const CommonOp
   std::fprintf(stderr, "Run 'windloom %s--help' for how to use it.\n",
                chosen.empty() ? "" : (chosen.front()->get_name() + " ").c_str());
   return status;
+}
+
+/// A result that never arrived (standard output is closed, or a file on a full disk) is no success.
+int withOutputWritten(int status) {
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0;
+  const int code = errno;
+  if (!lost && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "windloom: can't write the result to standard output%s%s\n", code != 0 ? ": " : "",
+               code != 0 ? std::strerror(code) : "");
+  return kExitMachine;
 }
 
 int run(int argc, char** argv) {
@@ -44,8 +57,9 @@ int run(int argc, char** argv) {
 }  // namespace windloom::cli
 
 int main(int argc, char** argv) {
+  windloom::prepareProcess();
   try {
-    return windloom::cli::run(argc, argv);
+    return windloom::cli::withOutputWritten(windloom::cli::run(argc, argv));
   } catch (const std::exception& error) {
     std::fprintf(stderr, "windloom: %s\n", error.what());
     return windloom::cli::kExitMachine;

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "engine/core/result.hpp"
-#include "engine/io/atomic_file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 namespace windloom {
 

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "engine/core/result.hpp"
-#include "engine/io/atomic_file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 namespace windloom {
 

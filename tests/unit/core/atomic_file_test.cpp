@@ -1,4 +1,4 @@
-#include "engine/io/atomic_file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 #include <gtest/gtest.h>
 
