@@ -14,6 +14,9 @@
 #include <thread>
 #include <utility>
 
+#include "engine/core/file.hpp"
+#include "engine/core/log.hpp"
+
 namespace windloom {
 namespace fs = std::filesystem;
 
@@ -100,24 +103,42 @@ MadeFolders::~MadeFolders() {
   }
 }
 
+namespace {
+
+/// 0 once it is locked, ECANCELED where nobody would wait any longer, else why it can't be.
+int lockWaiting(int descriptor, const std::function<bool()>& keepWaiting) {
+  while (::flock(descriptor, LOCK_EX | LOCK_NB) != 0) {
+    if (errno == EINTR) continue;
+    if (errno != EWOULDBLOCK) return errno;
+    if (!keepWaiting()) return ECANCELED;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  return 0;
+}
+
+bool meansNoLocks(int code) {
+  return code == EBADF || code == EINVAL || code == ENOLCK || code == ENOSYS || code == EOPNOTSUPP;
+}
+
+}  // namespace
+
 Result<FolderLock> FolderLock::take(const fs::path& folder, const std::function<bool()>& keepWaiting) {
-  // The folder itself is locked, so no lock file stays behind.
-  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
-  int locked = -1;
-  if (descriptor >= 0) {
-    locked = ::flock(descriptor, LOCK_EX | LOCK_NB);
-    while (locked != 0 && (errno == EWOULDBLOCK || errno == EINTR)) {
-      if (!keepWaiting()) {
-        ::close(descriptor);
-        return FolderLock(-1);
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      locked = ::flock(descriptor, LOCK_EX | LOCK_NB);
+  // The folder itself is locked, so no lock file stays behind. Network file systems lock only what is open for
+  // writing, which a folder can't be: there a file stays.
+  int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  int code = descriptor < 0 ? errno : lockWaiting(descriptor, keepWaiting);
+  if (descriptor >= 0 && meansNoLocks(code)) {
+    ::close(descriptor);
+    descriptor = ::open((folder / ".bake.windloom.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, newFileMode());
+    code = descriptor < 0 ? errno : lockWaiting(descriptor, keepWaiting);
+    if (descriptor >= 0 && meansNoLocks(code)) {
+      logWarning(folder.string() + " can't be locked here: only one bake at a time may write into it");
+      return FolderLock(descriptor);
     }
   }
-  if (locked == 0) return FolderLock(descriptor);
-  const int code = errno;
+  if (code == 0) return FolderLock(descriptor);
   if (descriptor >= 0) ::close(descriptor);
+  if (code == ECANCELED) return FolderLock(-1);
   return makeError(ErrorKind::Machine, folder.string(), {}, std::string("can't be locked: ") + std::strerror(code));
 }
 

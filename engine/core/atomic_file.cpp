@@ -89,7 +89,8 @@ void clearLeftovers(const fs::path& folder, const std::string& prefix = {}) {
   for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
     const std::string itsPrefix = prefixIn(it->path().filename().string());
     if (itsPrefix.empty() || (!prefix.empty() && itsPrefix != prefix)) continue;
-    const int left = ::open(it->path().c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
+    // For writing: network file systems lock nothing else.
+    const int left = ::open(it->path().c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (left < 0) continue;
     struct stat found {};
     const bool ours = ::fstat(left, &found) == 0 && S_ISREG(found.st_mode) && found.st_uid == ::geteuid();

@@ -140,4 +140,19 @@ def parts():
     return f"{points} kills of a range: the other range was kept and the whole came about"
 
 
-main(kill_bakes, fail_bakes, parts)
+def without_locks():
+    """File systems that lock no folders, and some that lock nothing."""
+    with folder() as place:
+        scene = Scene(place, "npy,png")
+        for error in ("EBADF", "ENOLCK"):
+            done = scene.again(calls="flock", at=1, do=error, again=True)
+            check(done.returncode == 0 and "can't be locked" in done.stderr, f"{error}: {done}")
+            check(whole(scene.out, error), f"{error}: no bake")
+            left = {name for name in tree(scene.out) if name.startswith(".")}
+            check(left == {".bake.windloom.lock"}, f"{error}: left {left}")
+        (scene.out / ".bake.windloom.lock").unlink()
+        scene.reset("bakes without locks")
+    return "2 bakes were whole, and warned"
+
+
+main(kill_bakes, fail_bakes, parts, without_locks)

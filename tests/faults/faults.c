@@ -38,7 +38,7 @@ static const struct {
   const char* name;
   int number;
 } kErrors[] = {{"ENOSPC", ENOSPC}, {"EACCES", EACCES}, {"EIO", EIO},       {"EDQUOT", EDQUOT}, {"EINTR", EINTR},
-               {"EROFS", EROFS},   {"EMFILE", EMFILE}, {"ENOMEM", ENOMEM}, {"EPERM", EPERM},   {"EMLINK", EMLINK}};
+               {"EROFS", EROFS},   {"EMFILE", EMFILE}, {"ENOMEM", ENOMEM}, {"EPERM", EPERM},   {"EMLINK", EMLINK}, {"EBADF", EBADF}, {"ENOLCK", ENOLCK}};
 
 static int numberOf(const char* name) {
   const char* text = getenv(name);

@@ -237,6 +237,20 @@ def fail_every_call():
     return f"{runs} faults, {refusals} refused with a message and done on the second try, the others made no difference"
 
 
+def without_locks():
+    """File systems that know no locks: saving works, and nobody's temporary files are taken for left ones."""
+    for kind in DEEDS:
+        if kind is Autosave:  # its lock tells whether an editor runs
+            continue
+        with folder() as place:
+            deed = kind(place)
+            left = place / ".mine.wind.json.abc123.windloom"
+            left.write_text("of somebody at work, perhaps")
+            done = run(deed.command(), place, calls="flock", at=1, do="ENOLCK", again=True)
+            check(facts(done)["first"] == "ok" and deed.version() == 1 and left.exists(), f"{kind.name}: {done}")
+    return f"{len(DEEDS) - 1} deeds"
+
+
 def old_file_stays_while_it_fails():
     """The state between a failure and the next try: the old file byte for byte, nothing beside it."""
     runs = 0
@@ -254,4 +268,4 @@ def old_file_stays_while_it_fails():
     return f"{runs} runs"
 
 
-main(kill_at_every_call, fail_every_call, old_file_stays_while_it_fails)
+main(kill_at_every_call, fail_every_call, old_file_stays_while_it_fails, without_locks)

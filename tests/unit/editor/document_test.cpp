@@ -281,7 +281,9 @@ TEST(DocumentFlow, AsksBeforeItReplacesAFileThatAnotherProgramChanged) {
   f.edit();
   ASSERT_TRUE(f.document.saveAs(path));
   EXPECT_FALSE(f.document.changedOnDisk());
-  const std::string theirs = readFile(path).value() + "\n";
+  const Result<std::string> saved = readFile(path);
+  ASSERT_TRUE(saved);
+  const std::string theirs = *saved + "\n";
   writeText(path, theirs);
   EXPECT_TRUE(f.document.changedOnDisk());
   f.edit();
