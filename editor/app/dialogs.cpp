@@ -106,8 +106,10 @@ void Dialogs::drawOverwrite() {
 void Dialogs::drawChanged() {
   if (!beginBox("Replace the newer file?", "changed on disk")) return;
   const std::string name = m_workspace.document.path().filename().string();
-  wrapped("Another program has changed " + name + " since it was opened here. Saving replaces those changes; the file as it "
-          "is now stays as " + name + ".bak.");
+  wrapped("Another program has changed " + name +
+          " since it was opened here. Saving replaces those changes; the file as it "
+          "is now stays as " +
+          name + ".bak.");
   const int chosen = buttonRow({"Save under another name", "Replace", "Cancel"});
   if (chosen == 0) m_workspace.flow.answerChanged(ChangedAnswer::AnotherName);
   if (chosen == 1) m_workspace.flow.answerChanged(ChangedAnswer::Replace);

@@ -42,8 +42,8 @@ class DocumentFlow {
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
   void answerChanged(ChangedAnswer answer);
-  void answerStopWork(bool stop);        ///< false: nothing happens
-  void cancel();                         ///< from any prompt; nothing happens
+  void answerStopWork(bool stop);  ///< false: nothing happens
+  void cancel();                   ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
   [[nodiscard]] bool quitConfirmed() const { return m_quit; }

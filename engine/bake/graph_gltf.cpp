@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
-#include "engine/core/contract.hpp"
 #include "engine/core/atomic_file.hpp"
+#include "engine/core/contract.hpp"
 #include "engine/core/text.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/graph_links.hpp"

@@ -23,8 +23,8 @@ struct Publication {
 };
 
 /// Moves everything out; all of it must be on the disk (syncFiles) and the folder locked. Files of the older bake that
-/// the new one doesn't have go, unless somebody changed them. The bytes that were moved. Fails with Machine and BadInput,
-/// the older bake as it was.
+/// the new one doesn't have go, unless somebody changed them. The bytes that were moved. Fails with Machine and
+/// BadInput, the older bake as it was.
 Result<std::uint64_t> publish(const Publication& publication);
 
 /// Clears up after bakes that were killed: their work folders, after an unfinished publish() was taken back, and the

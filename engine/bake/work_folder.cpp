@@ -31,7 +31,8 @@ int openFolder(const fs::path& folder) {
 
 /// Whether it is still the folder of that name.
 bool isStill(int folder, const std::string& name) {
-  struct stat here {}, there {};
+  struct stat here {
+  }, there{};
   return ::fstat(folder, &here) == 0 && ::lstat(name.c_str(), &there) == 0 && here.st_ino == there.st_ino;
 }
 

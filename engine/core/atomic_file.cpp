@@ -183,8 +183,8 @@ Status AtomicFile::write(std::string_view bytes) {
 Status AtomicFile::overwrite(std::uint64_t at, std::string_view bytes) {
   if (m_descriptor < 0) return failure(EBADF);
   while (!bytes.empty()) {
-    const ssize_t n = uninterrupted(
-        [&] { return ::pwrite(m_descriptor, bytes.data(), bytes.size(), static_cast<off_t>(at)); });
+    const ssize_t n =
+        uninterrupted([&] { return ::pwrite(m_descriptor, bytes.data(), bytes.size(), static_cast<off_t>(at)); });
     if (n < 0) {
       const int code = errno;
       abandon();

@@ -54,8 +54,8 @@ class AtomicFile {
 /// A whole file, as AtomicFile writes it, for Sync::Later.
 Status writeFileUnsynced(const std::filesystem::path& path, std::string_view bytes);
 
-/// Removes what killed writers left of any file in a folder that is ours alone: hidden temporary files of this user that
-/// nobody has locked. What else lies there is left alone.
+/// Removes what killed writers left of any file in a folder that is ours alone: hidden temporary files of this user
+/// that nobody has locked. What else lies there is left alone.
 void clearLeftTemporaries(const std::filesystem::path& folder);
 
 /// Makes finished renames, new and removed names in the folder survive a loss of power. A file system that can't is no

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "engine/core/result.hpp"
 #include "engine/core/atomic_file.hpp"
+#include "engine/core/result.hpp"
 
 namespace windloom {
 

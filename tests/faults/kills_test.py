@@ -19,9 +19,10 @@ def life(dice, file, side):
         child = subprocess.Popen([SAVE_LOOP, "loop", file, side, str(dice.randrange(1 << 30))], stdout=told)
         time.sleep(0.02 + dice.random() * 0.15)
         child.kill()
-        check(child.wait() == -9, "it must run until it is killed")
+        ended = child.wait()
         told.seek(0)
         lines = told.read().splitlines()
+        check(ended == -9, f"it must run until it is killed: {ended} {lines[-2:]}")
     return {line.split()[0]: int(line.split()[-1]) for line in lines if len(line.split()) == 2}
 
 
@@ -46,7 +47,7 @@ def editors():
                 check("rescue" in facts(done) and "failed" not in done.stdout, f"{number}: {done}")
                 check(not list(side.glob("*.rescue.json")), f"{number}: the rescued file stays")
                 rescued += 1
-            if probes_of(file) > 2000:
+            if probes_of(file) > 500:  # a project holds a limited number
                 project_in(place)
                 for path in [backup, *side.iterdir()]:
                     path.unlink()

@@ -137,9 +137,16 @@ int loop(const std::string& file, const std::string& folder, unsigned seed) {
   for (double now = 0;; ++now) {
     addProbe(document);
     tell("edited " + std::to_string(probesOf(document)));
-    if (!autosave.tick(document, now) || !autosave.wait()) return 1;
+    for (const Status& status : {autosave.tick(document, now), autosave.wait()}) {
+      if (status) continue;
+      tell("failed " + status.error().text());
+      return 1;
+    }
     if (dice() % 12 != 0) continue;
-    if (!document.save()) return 1;
+    if (const Status status = document.save(); !status) {
+      tell("failed " + status.error().text());
+      return 1;
+    }
     tell("saved " + std::to_string(probesOf(document)));
   }
 }
