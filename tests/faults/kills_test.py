@@ -52,7 +52,8 @@ def editors():
                 for path in [backup, *side.iterdir()]:
                     path.unlink()
             names = {path.name for path in place.iterdir()} - {"told", "side", file.name, file.name + ".bak"}
-            check(len(names) <= 2 and len(list(side.iterdir())) <= 24, f"{number}: leftovers grow: {names}")
+            # One of each life since the last that came to save.
+            check(len(names) <= 12 and len(list(side.iterdir())) <= 60, f"{number}: leftovers grow: {names}")
         run([SAVE_LOOP, "save", file], place)
         run([SAVE_LOOP, "autosave", file, side], place)
         check(not temporaries(place), f"left after all: {temporaries(place)}")
