@@ -6,6 +6,7 @@
 #include "engine/bake/target_frame.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/json_document.hpp"
 #include "engine/io/sha256.hpp"
 
 namespace windloom {
@@ -67,11 +68,11 @@ std::string textOf(const Json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
 }
 
+}  // namespace
+
 bool isPlainName(const std::string& name) {
   return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
 }
-
-}  // namespace
 
 Result<Json> manifestEntry(const BakedFile& file, const BakeHeader& header, const std::filesystem::path& folder) {
   const Result<std::string> digest = sha256OfFile(folder / file.path);
@@ -159,8 +160,8 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
 std::string planOfManifest(const std::filesystem::path& folder) {
   const Result<std::string> text = readFile(folder / "manifest.json", 64ull << 20);
   if (!text) return {};
-  const Json manifest = Json::parse(*text, nullptr, false);
-  return manifest.is_object() ? textOf(manifest, "plan") : std::string();
+  const Result<Json> manifest = parseJsonDocument(*text, "manifest.json");
+  return manifest && manifest->is_object() ? textOf(*manifest, "plan") : std::string();
 }
 
 Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& folder) {
@@ -170,7 +171,8 @@ Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& fol
   if (!std::filesystem::exists(path, ignored)) return files;
   const Result<std::string> text = readFile(path, 64ull << 20);
   if (!text) return text.error();
-  const Json manifest = Json::parse(*text, nullptr, false);
+  const Result<Json> parsed = parseJsonDocument(*text, path.string());
+  const Json& manifest = parsed ? *parsed : Json();
   if (!manifest.is_object() || textOf(manifest, "format") != "windpack" || !manifest.contains("files")) {
     return makeError(ErrorKind::BadInput, path.string(), {},
                      "is not the manifest of a bake; bake into another folder or move it away");

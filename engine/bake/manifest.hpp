@@ -35,6 +35,9 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
 /// The plan of the bake in `folder`; empty where there is none.
 std::string planOfManifest(const std::filesystem::path& folder);
 
+/// Of a file in the folder itself: no path, so that nothing else can be named.
+bool isPlainName(const std::string& name);
+
 struct ListedFile {
   std::string path, sha256;
 };
