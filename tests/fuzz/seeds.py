@@ -17,7 +17,7 @@ LOOP, WRAP_X, WRAP_Z, FLOATS, ZSTD = 1, 2, 4, 8, 16
 
 # Projects
 
-def small_projects(most=24 << 10):
+def small_projects(most=6 << 10):
     """Texts of the sample projects and of the broken ones; of large ones the first records of each list."""
     for file in sorted(REPOSITORY.glob("projects/*/*.wind.json")):
         text = file.read_text()
@@ -47,7 +47,7 @@ clipboard = project
 
 
 def rescue(folder):
-    for n, text in enumerate(small_projects(8 << 10)):
+    for n, text in enumerate(small_projects(4 << 10)):
         side = {"format": "windloom-rescue", "original": "", "savedAt": "2026-01-02 03:04", "project": text.decode("utf-8", "replace")}
         (folder / f"rescue-{n:03}").write_text(json.dumps(side))
 

@@ -24,8 +24,10 @@ bool finite(glm::vec3 v) {
 void checkMesh(const PlantMesh& mesh, MeshUse use) {
   require(mesh.indices.size() >= 3 && mesh.indices.size() % 3 == 0, "a mesh has whole triangles");
   for (const std::uint32_t index : mesh.indices) require(index < mesh.vertices.size(), "an index is of a vertex");
-  for (const PlantVertex& vertex : mesh.vertices)
+  for (const PlantVertex& vertex : mesh.vertices) {
     require(finite(vertex.position) && finite(vertex.normal), "a vertex is somewhere");
+    require(finite(glm::vec3(vertex.uv, vertex.colour.a)) && finite(glm::vec3(vertex.colour)), "a vertex has a colour");
+  }
   require(mesh.texture.size() == std::size_t(4) * static_cast<std::size_t>(mesh.textureSize.x) *
                                      static_cast<std::size_t>(mesh.textureSize.y),
           "a texture has all its pixels");
