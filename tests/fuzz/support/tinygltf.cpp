@@ -5,8 +5,9 @@
 #define TINYGLTF_NO_INCLUDE_STB_IMAGE_WRITE
 #define TINYGLTF_NO_STB_IMAGE_WRITE
 #define STB_IMAGE_IMPLEMENTATION
-// clang-format off: what it is told not to include comes first
+// What it is told not to include comes first.
+// clang-format off
+#include <nlohmann/json.hpp>
 #include <stb/stb_image.h>
 #include <tiny_gltf.h>
-#include <nlohmann/json.hpp>
 // clang-format on
