@@ -70,8 +70,8 @@ std::string textOf(const Json& object, const char* key) {
 
 }  // namespace
 
-bool isPlainName(const std::string& name) {
-  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
+bool isPlainName(std::string_view name) {
+  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == name.npos;
 }
 
 Result<Json> manifestEntry(const BakedFile& file, const BakeHeader& header, const std::filesystem::path& folder) {

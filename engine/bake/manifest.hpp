@@ -32,11 +32,11 @@ struct ManifestFacts {
 std::string manifestText(const ManifestFacts& facts, const Project& project, Backend backend,
                          std::span<const nlohmann::ordered_json> files);
 
+/// A name of a file and nothing else: no folder, not "." or "..". Only such are taken from files that are read back.
+bool isPlainName(std::string_view name);
+
 /// The plan of the bake in `folder`; empty where there is none.
 std::string planOfManifest(const std::filesystem::path& folder);
-
-/// Of a file in the folder itself: no path, so that nothing else can be named.
-bool isPlainName(const std::string& name);
 
 struct ListedFile {
   std::string path, sha256;
