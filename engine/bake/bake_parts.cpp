@@ -89,7 +89,7 @@ std::vector<BakePart> readParts(const fs::path& parts) {
   std::error_code ec;
   for (const fs::directory_entry& entry : fs::directory_iterator(parts, ec)) {
     if (!entry.path().filename().string().starts_with(kNote)) continue;
-    const Result<std::string> text = readFile(entry.path());
+    const Result<std::string> text = readFile(entry.path(), kMaxManifestBytes);
     if (!text) continue;
     const Result<Json> note = parseJsonDocument(*text, entry.path().string());
     std::optional<BakePart> part = note ? partFrom(*note) : std::nullopt;

@@ -70,10 +70,6 @@ std::string textOf(const Json& object, const char* key) {
 
 }  // namespace
 
-bool isPlainName(std::string_view name) {
-  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == name.npos;
-}
-
 Result<Json> manifestEntry(const BakedFile& file, const BakeHeader& header, const std::filesystem::path& folder) {
   const Result<std::string> digest = sha256OfFile(folder / file.path);
   if (!digest) return digest.error();
@@ -157,10 +153,14 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+bool isPlainName(std::string_view name) {
+  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == name.npos;
+}
+
 std::string planOfManifest(const std::filesystem::path& folder) {
-  const Result<std::string> text = readFile(folder / "manifest.json", 64ull << 20);
+  const Result<std::string> text = readFile(folder / "manifest.json", kMaxManifestBytes);
   if (!text) return {};
-  const Result<Json> manifest = parseJsonDocument(*text, "manifest.json");
+  const Result<Json> manifest = parseJsonDocument(*text, {});
   return manifest && manifest->is_object() ? textOf(*manifest, "plan") : std::string();
 }
 
@@ -169,10 +169,10 @@ Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& fol
   std::error_code ignored;
   const std::filesystem::path path = folder / "manifest.json";
   if (!std::filesystem::exists(path, ignored)) return files;
-  const Result<std::string> text = readFile(path, 64ull << 20);
+  const Result<std::string> text = readFile(path, kMaxManifestBytes);
   if (!text) return text.error();
   const Result<Json> parsed = parseJsonDocument(*text, path.string());
-  const Json& manifest = parsed ? *parsed : Json();
+  const Json manifest = parsed ? *parsed : Json();
   if (!manifest.is_object() || textOf(manifest, "format") != "windpack" || !manifest.contains("files")) {
     return makeError(ErrorKind::BadInput, path.string(), {},
                      "is not the manifest of a bake; bake into another folder or move it away");
