@@ -41,8 +41,13 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line, LogFile& log) 
   const auto preferencesFile = configFolder() / "preferences.json";
   const Preferences preferences = line.unattended() ? Preferences{} : editor::readPreferences(preferencesFile);
   WindowOptions options;
-  options.width = line.width.value_or(int(preferences.number("window.width", options.width)));
-  options.height = line.height.value_or(int(preferences.number("window.height", options.height)));
+  // A file that someone wrote by hand may ask for any size.
+  const auto pixels = [&](const char* name, int least, int usual) {
+    const double kept = preferences.number(name, usual);
+    return kept >= least && kept <= 16384 ? int(kept) : usual;
+  };
+  options.width = line.width.value_or(pixels("window.width", 320, options.width));
+  options.height = line.height.value_or(pixels("window.height", 240, options.height));
   options.maximised = !line.width && preferences.number("window.maximised", 0) != 0;
   auto window = Window::create(options);
   if (!window) return window.error();

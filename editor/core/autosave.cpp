@@ -15,6 +15,7 @@
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/io/assets.hpp"
+#include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
 
@@ -78,7 +79,7 @@ struct SideFile {
   std::string project;
 };
 
-std::optional<std::string> textIn(const nlohmann::json& json, const char* key) {
+std::optional<std::string> textIn(const JsonDocument& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_string()) return std::nullopt;
   return found->get_ref<const std::string&>();
@@ -88,7 +89,8 @@ Result<SideFile> readSideFile(const fs::path& path) {
   // Escaped as a text, a project takes more room than as a file.
   const Result<std::string> bytes = readFile(path, 4 * kMaxProjectBytes);
   if (!bytes) return bytes.error();
-  const nlohmann::json json = nlohmann::json::parse(*bytes, nullptr, false);
+  const Result<JsonDocument> parsed = parseJsonDocument(*bytes, path.string());
+  const JsonDocument json = parsed ? *parsed : JsonDocument();
   const Error broken = makeError(ErrorKind::BadInput, path.string(), {}, "is not a rescue file");
   if (!json.is_object() || textIn(json, "format") != kFormat) return broken;
   const auto original = textIn(json, "original"), savedAt = textIn(json, "savedAt"), project = textIn(json, "project");
