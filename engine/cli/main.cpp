@@ -2,8 +2,8 @@
 #include <cstring>
 #include <exception>
 
+#include "engine/cli/app.hpp"
 #include "engine/cli/common.hpp"
-#include "engine/cli/verbs.hpp"
 
 namespace windloom::cli {
 namespace {
@@ -18,24 +18,14 @@ int usageError(const CLI::App& app, const CLI::ParseError& error, const CommonOp
 }
 
 int run(int argc, char** argv) {
-  CLI::App app("Windloom: wind drawn as trees of arrows, seen in grass, exported for games.", "windloom");
-  app.set_version_flag("--version", "windloom " WINDLOOM_VERSION);
-  app.footer(
-      "'windloom VERB --help' explains a verb. Exit status: 0 done; 1 the input is wrong; 2 wrong usage; "
-      "3 this machine can't.");
-  app.require_subcommand(1);
   VerbAction action;
-  for (const Verb& verb : verbs()) {
-    CLI::App* command = app.add_subcommand(verb.name, verb.summary);
-    if (verb.kind == VerbKind::Developer) command->group("");
-    command->final_callback([&action, todo = verb.make(*command)] { action = todo; });
-  }
+  const std::unique_ptr<CLI::App> app = makeApp(action);
   CommonOptions options;
   for (int i = 1; i < argc; ++i) options.json = options.json || std::strcmp(argv[i], "--json") == 0;
   try {
-    app.parse(argc, argv);
+    app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return usageError(app, error, options);
+    return usageError(*app, error, options);
   }
   return action();
 }

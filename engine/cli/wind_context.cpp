@@ -1,5 +1,6 @@
 #include "engine/cli/wind_context.hpp"
 
+#include "engine/cli/program_help.hpp"
 #include "engine/session/solver_scheme.hpp"
 
 namespace windloom::cli {
@@ -19,8 +20,11 @@ std::string solverNames() {
 }  // namespace
 
 void addSolverOption(CLI::App& app, std::string& name) {
-  app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
-      ->type_name("NAME");
+  std::vector<std::string> names;
+  for (const SolverPreset& preset : solverPresets()) names.emplace_back(preset.name);
+  offer(app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
+            ->type_name("NAME"),
+        names);
 }
 
 void addRunOptions(CLI::App& app, RunOptions& options) {
