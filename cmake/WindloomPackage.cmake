@@ -23,7 +23,7 @@ set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
-set(CPACK_DEBIAN_COMPRESSION_TYPE xz)
+set(CPACK_DEBIAN_COMPRESSION_TYPE gzip)  # most of it are pictures, which nothing makes smaller
 
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_NAME windloom)
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SECTION graphics)
@@ -34,8 +34,8 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "windloom-doc, libwindloom-runtime-de
 if(WINDLOOM_EDITOR)
   string(APPEND CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS ", fonts-inter, fonts-fork-awesome")
 endif()
-set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "draw wind, see grass answer, export it for games
-In Windloom an artist draws wind as trees of arrows on a landscape. A gust
+# The project's own description is the line before each of these.
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "In Windloom an artist draws wind as trees of arrows on a landscape. A gust
 starts at a tree's root, travels along its branches and drives an
 incompressible wind field, on the GPU or on the CPU; a meadow of a million
 blades and more bends in it while the mouse still moves.
@@ -48,8 +48,7 @@ set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME windloom-doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_RECOMMENDS windloom)
-set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "draw wind, see grass answer (documentation)
-A guide of ten minutes, the editor's tools and keys, what is exported and in
+set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "The documentation: a guide of ten minutes, the editor's tools and keys, what is exported and in
 which format byte by byte, the solver's equations and its measurements, and a
 small game to copy from.")
 
@@ -59,8 +58,7 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS windloom-doc)
 if(TARGET windloom_runtime_zstd)
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libzstd-dev)
 endif()
-set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "wind baked by Windloom in games (static library)
-A library in C, with a header for C++, that loads a wind pack and tells the
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "What a game links to read baked wind: a static library in C, with a header for C++, that loads a wind pack and tells the
 wind at a place and a time. It needs no graphics and no other library of
 Windloom.")
 

@@ -1,5 +1,6 @@
 # cmake -DRECORD=installed_files.txt -P uninstall.cmake
 # Removes the files of the record, then the folders that their installation made, where nothing else is in them by now.
+cmake_minimum_required(VERSION 3.25)
 if(NOT EXISTS "${RECORD}")
   message(STATUS "Nothing was installed from this build folder")
   return()

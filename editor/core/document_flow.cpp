@@ -16,6 +16,11 @@ fs::path withExtension(fs::path path) {
   return path;
 }
 
+/// It has no file, or one that it isn't to be saved to.
+bool needsPath(const Document& document) {
+  return document.path().empty() || !whyKept(document.path()).empty();
+}
+
 }  // namespace
 
 void DocumentFlow::requestNew(Project start) {
@@ -35,7 +40,11 @@ void DocumentFlow::requestOpen(fs::path path) {
 
 void DocumentFlow::requestSave() {
   m_then = Then::Nothing;
-  saveOrAsk();
+  if (needsPath(m_document)) {
+    m_prompt = Prompt::ChooseSavePath;
+  } else {
+    saveTo(m_document.path());
+  }
 }
 
 void DocumentFlow::requestSaveAs() {
@@ -103,17 +112,10 @@ void DocumentFlow::answerSaveChanges(SaveAnswer answer) {
     cancel();
   } else if (answer == SaveAnswer::DontSave) {
     proceed();
-  } else {
-    saveOrAsk();
-  }
-}
-
-void DocumentFlow::saveOrAsk() {
-  const fs::path& path = m_document.path();
-  if (path.empty() || !whyKept(path).empty()) {
+  } else if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(path);
+    saveTo(m_document.path());
   }
 }
 

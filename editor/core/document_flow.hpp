@@ -29,7 +29,7 @@ class DocumentFlow {
   void requestNew(Project start = {});           ///< `start`: a template
   void requestOpen();                            ///< asks for the path
   void requestOpen(std::filesystem::path path);  ///< recent file, drop, command line
-  void requestSave();                            ///< asks for a path where there is none or a kept one (whyKept)
+  void requestSave();                            ///< asks for a path where there is none or a kept one (kept_files.hpp)
   void requestSaveAs();
   void requestQuit();
 
@@ -59,7 +59,6 @@ class DocumentFlow {
   enum class Then { Nothing, New, Open, Quit };
   void begin(Then then);
   void askToSave();
-  void saveOrAsk();
   void proceed();
   void fail(const Error& error);
   void saveTo(const std::filesystem::path& path);

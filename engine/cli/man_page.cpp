@@ -71,7 +71,7 @@ std::string optionEntry(const OptionHelp& option) {
     head.append(option.valueMayMiss ? " [" : " ").append(value).append(option.valueMayMiss ? "]" : "");
   if (option.names.empty()) head = value;
   std::string text = option.text;
-  if (!text.empty() && std::string_view(".?!)").find(text.back()) == std::string_view::npos) text += ".";
+  if (!text.empty() && std::string_view(".?!").find(text.back()) == std::string_view::npos) text += ".";
   if (option.required) text += " Must be given.";
   if (!option.note.empty()) text.append(" ").append(option.note);
   return ".TP\n" + head + "\n" + escaped(text) + "\n";

@@ -23,17 +23,22 @@ COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
 printf '%s\n' "${COMPREPLY[@]}"
 """
 
-# Types a line and the key Tab into a zsh that completes as a user's does, and prints what it lists or has made of the line.
+# Types a line and twice the key Tab into a zsh that completes as a user's does, and prints the screen once the words ($4 and
+# on) are on it, or after ten seconds.
 ZSH = r"""
 zmodload zsh/zpty
 zpty shell zsh -f -i
-zpty -w shell "cd '$2'; fpath=('$1' \$fpath); autoload -Uz compinit; compinit -u -D; PS1=; LISTMAX=1000; zstyle ':completion:*' menu no; bindkey '^I' complete-word; setopt no_beep; print -r -- READY"
-zpty -m -r shell seen '*READY*READY*'
-zpty -w -n shell "$3"$'\t'
-sleep ${4:-0.6}
-zpty -w -n shell $'\t'
-sleep 0.3
-while zpty -t shell && zpty -r shell piece; do print -rn -- "$piece"; done
+zpty -w shell "cd '$2'; fpath=('$1' \$fpath); autoload -Uz compinit; compinit -u -D; PS1=; LISTMAX=1000; bindkey '^I' complete-word; setopt no_beep; print -r -- REA''DY"
+zpty -r -m shell shown '*READY*'
+zpty -w -n shell "$3"$'\t\t'
+shown="" ending=$((SECONDS + 10)) found=0
+shift 3
+while ((SECONDS < ending && ! found)); do
+  zpty -r -t shell piece && shown+=$piece || sleep 0.05
+  found=1
+  for word in "$@"; do [[ $shown == *$word* ]] || found=0; done
+done
+print -rn -- "$shown"
 zpty -d shell
 """
 
@@ -118,8 +123,8 @@ class Completion(unittest.TestCase):
 
     # zsh
 
-    def zsh(self, line):
-        done = subprocess.run(["zsh", "-f", "-c", ZSH, "zsh", self.made, self.work, line], capture_output=True, text=True,
+    def zsh(self, line, wanted):
+        done = subprocess.run(["zsh", "-f", "-c", ZSH, "zsh", self.made, self.work, line, *wanted], capture_output=True, text=True,
                               errors="replace", env={**os.environ, "TERM": "dumb", "COLUMNS": "120"}, timeout=60)
         self.assertEqual(done.returncode, 0, done.stderr)
         return re.sub("\x1b\\[[0-9;?]*[A-Za-z]|\r|\x07", "", done.stdout)
@@ -140,7 +145,7 @@ class Completion(unittest.TestCase):
                 ("windloom new -t whi", ["whirlwind"], []),
                 ("windloom validate mea", ["meadow.wind.json"], ["notes"]),
                 ("windloom bench start", ["startup"], [])]:
-            shown = self.zsh(line)
+            shown = self.zsh(line, wanted)
             for word in wanted:
                 self.assertIn(word, shown, line)
             for word in unwanted:

@@ -145,7 +145,7 @@ class Programs(unittest.TestCase):
 
     @unittest.skipUnless(HAS_EDITOR, "a build without the editor")
     def test_a_sample_is_saved_elsewhere(self):
-        sample = self.samples / "flowers" / "flowers.wind.json"
+        sample = self.samples / "canyon" / "canyon.wind.json"
         before = sample.read_bytes()
         folder = self.installed.folder / "window"
         folder.mkdir()
@@ -154,11 +154,11 @@ class Programs(unittest.TestCase):
         start.write_text("#!/bin/sh\nWORK=/ exec " + " ".join("'" + word.replace("'", "'\\''") + "'" for word in words) + ' "$@"\n')
         start.chmod(0o755)
         with display() as screen, editor(str(start), screen, folder, str(sample)) as app:
-            app.wait("the sample", lambda: app.fact("title").startswith("flowers.wind.json"))
+            app.wait("the sample", lambda: app.fact("title").startswith("canyon.wind.json"))
             self.assertIn("Saving will ask for a place", app.fact("message"))
             app.key("ctrl+s")
             app.wait_fact("dialog", "save as")
-            self.assertEqual(app.fact("dialog.text"), "flowers.wind.json is a sample and stays as it is.")
+            self.assertEqual(app.fact("dialog.text"), "canyon.wind.json is a sample and stays as it is.")
             app.choose_path(folder / "mine.wind.json")
             app.wait("the copy", lambda: app.fact("title").startswith("mine.wind.json"))
         self.installed.run("windloom", "validate", folder / "mine.wind.json")
