@@ -33,6 +33,7 @@ class CleanSystem:
         if made.returncode != 0:
             raise Impossible("debootstrap failed: " + made.stdout[-500:] + made.stderr[-500:])
         # As apt is set up here, so that packages come from where this machine may fetch them.
+        (self.root / "etc/apt/sources.list").unlink()
         for name in ("etc/apt/sources.list", "etc/apt/sources.list.d", "etc/apt/apt.conf.d", "etc/resolv.conf", "etc/hosts"):
             here = pathlib.Path("/") / name
             if here.is_dir():

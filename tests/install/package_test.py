@@ -131,7 +131,7 @@ class Packages(unittest.TestCase):
         system.run("bash -c '. /usr/share/bash-completion/completions/windloom && complete -p windloom'")
         if not HAS_EDITOR:
             return
-        system.run(f"cd /root && xvfb-run -a -s '-screen 0 1400x900x24' windloom-editor {samples}/meadow/meadow.wind.json "
+        system.run(f"cd /root && xvfb-run -a -s '-screen 0 1400x900x24' windloom-editor {samples}/canyon/canyon.wind.json "
                    "--size 1280x720 --frames 30 --screenshot editor.png")
         picture = system.root / "root/editor.png"
         self.assertGreater(picture.stat().st_size, 100000)
