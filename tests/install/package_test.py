@@ -24,6 +24,9 @@ HAS_EDITOR = (pathlib.Path(BUILD) / "bin" / "windloom-editor").exists()
 # What lintian says of every package that is not made for Debian's archive, and why it stands.
 KNOWN = {
     "initial-upload-closes-no-bugs": "there is no bug report in Debian's tracker for it",
+    "bogus-mail-host": "who publishes the packages gives an address (WINDLOOM_MAINTAINER)",
+    "bogus-mail-host-in-debian-changelog": "the same",
+    "pkg-config-unavailable-for-cross-compilation": "the files lie in /usr/lib/pkgconfig, not in a folder of the processor",
 }
 
 
