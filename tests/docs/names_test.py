@@ -1,0 +1,131 @@
+"""What documents name is there: options, keys, files and folders, rooms with their READMEs.
+
+usage: names_test.py REPOSITORY WINDLOOM WINDLOOM_EDITOR WINDLOOM_LEAVES
+
+Options are looked up in the help of our programs, in scripts of the repository, or in ELSEWHERE. Keys in **bold** are looked up in
+docs/keys.md or KEYS_ELSEWHERE. Backticks that look like a path are resolved from the root, from the page's folder, or from one of the
+folders that the page speaks of. An entry of these lists that nothing needs any more fails, so the lists stay short.
+"""
+import pathlib
+import posixpath
+import re
+import subprocess
+import sys
+
+import markdown
+
+# Options of other programs, with who knows them.
+ELSEWHERE = {
+    "--build": "cmake", "--install": "cmake", "--preset": "cmake", "--target": "cmake", "--component": "cmake", "--prefix": "cmake",
+    "--test-dir": "ctest", "--cflags": "pkg-config", "--libs": "pkg-config",
+    "--gtest_filter": "GoogleTest", "--gtest_output": "GoogleTest", "--benchmark_filter": "Google Benchmark",
+    "--benchmark_repetitions": "Google Benchmark", "--benchmark_report_aggregates_only": "Google Benchmark",
+    "--benchmark_min_time": "Google Benchmark",
+}
+# Bold words that look like keys but are pressed in one panel or game only, with where they are told.
+KEYS_ELSEWHERE = {"Enter": "dialogs", "Space": "also in the sample game"}
+# Paths that a bake, a build or the user makes, as patterns, with what makes them.
+MADE = {
+    r"first(-wind|\.png|\.wind\.json)(/.*)?": "the tutorial",
+    r"(wind|flow|flow16|slab|wind-v2|bend-soft)[\w.-]*": "a bake",
+    r"(HOWTO\.md|manifest\.json|graph\.gltf|wind\.(hlsl|glsl|gd|gdshaderinc)|WindloomImport\.cs|import_windloom\.py)": "a bake",
+}
+
+
+def help_of(program, *arguments):
+    return subprocess.run([program, *arguments, "--help"], capture_output=True, text=True, check=True).stdout
+
+
+def known_options(root, windloom, editor, leaves):
+    """Every option that one of our programs or scripts takes."""
+    main = help_of(windloom)
+    verbs = re.findall(r"^  (\w+)  +", main.split("Subcommands:")[1], re.M)
+    text = main + help_of(editor) + help_of(leaves) + "".join(help_of(windloom, verb) for verb in verbs)
+    scripts = [name for name in markdown.tracked(root) if name.endswith((".py", ".sh")) or name in ("run", "test")]
+    text += "".join((root / name).read_text() for name in scripts if not name.startswith("tests/docs/"))
+    return set(re.findall(r"--[a-zA-Z][\w-]*", text))
+
+
+def option_problems(pages, known):
+    found, seen = [], set()
+    for page in pages:
+        if str(page.path) == "CHANGELOG.md":
+            continue
+        texts = [(block.line, block.text) for block in page.blocks] + list(markdown.inline_code(page))
+        for line, text in texts:
+            for option in re.findall(r"(?<![\w-])--[a-zA-Z][\w-]*", text):
+                seen.add(option)
+                if option not in known and option not in ELSEWHERE:
+                    found.append(f"{page.path}:{line}: no program has {option}")
+    return found + [f"ELSEWHERE: no page names {option}" for option in ELSEWHERE if option not in seen], len(seen)
+
+
+KEY = re.compile(r"(?:(?:Ctrl|Shift|Alt)\+)*(?:[A-Z]|\d|F\d{1,2}|[\[\].]|Space|Enter|Esc|Del|Home|Tab|Left|Right|Numpad \S+)", re.I)
+
+
+def key_problems(root, pages):
+    """Bold keys must stand in the table of keys."""
+    table = (root / "docs/keys.md").read_text()
+    keys = {key.strip().lower() for row in re.findall(r"^\| [^|]* \| ([^|]*) \|", table, re.M)
+            for key in re.split(r", | or ", row.replace("then", ",").replace(" + ", "+"))}
+    found, seen = [], set()
+    for page in pages:
+        for line, text in page.text:
+            for bold in re.findall(r"\*\*([^*]+)\*\*", re.sub(r"`[^`]*`", "", text)):
+                if not KEY.fullmatch(bold) or str(page.path).startswith("docs/examples/"):
+                    continue
+                seen.add(bold)
+                if bold.lower() not in keys and bold not in KEYS_ELSEWHERE:
+                    found.append(f"{page.path}:{line}: docs/keys.md has no key {bold}")
+    return found + [f"KEYS_ELSEWHERE: no page names {key}" for key in KEYS_ELSEWHERE if key not in seen], len(seen)
+
+
+PATH = re.compile(r"(?:\.\.?/)*[\w*][\w.*-]*(?:/[\w.*{},-]+)*/?")
+SUFFIX = re.compile(r"\.(md|cpp|hpp|c|h|py|sh|json|png|glb|txt|glsl|vert|frag|comp|cmake|in|svg|hlsl|gltf|gd|cs)$")
+
+
+def looks_like_path(code, tops):
+    return bool(PATH.fullmatch(code)) and (SUFFIX.search(code) is not None or code.split("/")[0] in tops and "/" in code)
+
+
+def path_problems(pages, files):
+    folders = {parent.as_posix() for file in files for parent in pathlib.PurePosixPath(file).parents}
+    tops = {folder for folder in folders if "/" not in folder and folder != "."}
+    everything = files | folders
+    found, count, used = [], 0, set()
+    for page in pages:
+        if str(page.path) == "CHANGELOG.md":
+            continue
+        codes = list(markdown.inline_code(page))
+        near = [str(page.path.parent)] + [posixpath.dirname(code) for _, code in codes if "/" in code] + [
+            posixpath.normpath(posixpath.join(str(page.path.parent), posixpath.dirname(link))) for _, _, link in markdown.links(page)]
+        for line, code in codes:
+            if not looks_like_path(code, tops):
+                continue
+            count += 1
+            pattern = re.escape(code.rstrip("/")).replace(r"\*", "[^/]*").replace("NAME", "[^/]+")
+            candidates = [pattern] + [re.escape(folder) + "/" + pattern for folder in set(near) if folder not in ("", ".")]
+            if any(re.fullmatch(posixpath.normpath(c) if "[" not in c else c, name) for c in candidates for name in everything):
+                continue
+            made = next((entry for entry in MADE if re.fullmatch(entry, code)), None)
+            used.add(made)
+            if not made:
+                found.append(f"{page.path}:{line}: there is no {code}")
+    return found + [f"MADE: no page names {entry}" for entry in MADE if entry not in used], count
+
+
+def main():
+    root = pathlib.Path(sys.argv[1])
+    pages = markdown.pages(root)
+    options, option_count = option_problems(pages, known_options(root, *sys.argv[2:5]))
+    keys, key_count = key_problems(root, pages)
+    paths, path_count = path_problems(pages, set(markdown.tracked(root)))
+    found = options + keys + paths
+    for line in found:
+        print(line)
+    print(f"{option_count} different options, {key_count} different keys, {path_count} paths, {len(found)} problems")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
