@@ -3,9 +3,10 @@
 usage: commands_test.py REPOSITORY FOLDER_OF_PROGRAMS [--long] [--page PAGE] [--list]
 
 Commands are the lines of blocks fenced as `sh` and `console` (after "$ "), Python blocks, and `code` within a line that begins with one of
-PROGRAMS and has arguments. Each must end with 0 and write the files it names; what a `console` block shows is compared by its
-shape: numbers may differ. Where a word in capitals or brackets stands for something, verb and options are looked up in the help.
-By default sizes and times are cut down (`small`), and the samples' winds are computed on few cells; --long runs all as it stands.
+PROGRAMS and has arguments. Each must end with 0 and write the files it names; what a `console` block shows is compared by its shape:
+numbers may differ. Where a word in capitals or brackets stands for something, verb and options are looked up in the help.
+By default sizes and times are cut down (`small`), and the samples' winds are computed on few cells; --long runs all as it stands, and a
+picture of docs/images that it makes must look as the one that is there.
 """
 import concurrent.futures
 import dataclasses
@@ -39,6 +40,7 @@ BEFORE = {
 }
 SKIPPED = ("docs/images/", "tests/golden/pictures/", "tests/data/broken/", "engine/", "editor/")
 CELLS = 32
+PICTURE_LIMIT = 6  # of 255, in the mean
 
 
 @dataclasses.dataclass
@@ -85,7 +87,7 @@ def commands_of(page):
         code = code.replace("\\|", "|")
         if not PROGRAMS.match(code):
             continue
-        if STANDS_FOR.search(code) or not re.search(r" (-|\S*[./])", code) or WITHOUT_FILE.match(code):
+        if STANDS_FOR.search(code) or not re.search(r" (-|\S*[./])|^windloom docs ", code) or WITHOUT_FILE.match(code):
             forms.append(Command(name, line, code, []))
         else:
             found.append(Command(name, line, code, []))
@@ -145,6 +147,7 @@ class Scratch:
     """A copy of the tree with the built programs on PATH and under build/."""
 
     def __init__(self, root, programs, folder, long):
+        self.root = root
         self.tree = folder / "tree"
         self.bin = folder / "bin"
         self.long = long
@@ -186,6 +189,21 @@ def written(text):
             if os.devnull not in path]
 
 
+def grains(file):
+    """A picture as 96 x 54 colours."""
+    return subprocess.run(["convert", str(file), "-resize", "96x54!", "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout
+
+
+def stale(path, folder, root):
+    """Whether a picture of the documents looks other than what its command makes now; windows and drivers differ a little."""
+    stored = root / path
+    if not path.startswith("docs/images/") or not stored.exists() or not (folder / path).exists():
+        return ""
+    now, then = grains(folder / path), grains(stored)
+    difference = sum(abs(a - b) for a, b in zip(now, then)) / len(then)
+    return f"{path} is out of date: off by {difference:.1f} of 255 in the mean" if difference > PICTURE_LIMIT else ""
+
+
 def shape(line):
     return re.sub(r"\s+", " ", re.sub(r"-?\d+(\.\d+)?", "#", line)).strip()
 
@@ -209,6 +227,8 @@ def run_command(command, scratch, folder, environment):
         there = [folder / p for p in (path, numbered) if (folder / p).exists()]
         if not there or max(p.stat().st_mtime for p in there) < began - 2:
             found.append(f"{where}\n  didn't write {path}")
+        elif scratch.long and stale(path, folder, scratch.root):
+            found.append(f"{where}\n  {stale(path, folder, scratch.root)}")
     shown = [shape(line) for line in command.output if line.strip()]
     told = [shape(line) for line in done.stdout.split("\n") if line.strip()]
     if shown and shown != told:

@@ -142,7 +142,7 @@ def play(windloom_leaves, environment, folder, pictures):
     """The sample game with the wind that was exported; its picture."""
     file = pictures / "tutorial-game.png"
     subprocess.run([windloom_leaves, str(folder / "first-wind" / "wind.windpack"), "--frames", "90", "--screenshot", str(file),
-                    "--size", "1280x640"], env=environment, check=True)
+                    "--size", "960x480"], env=environment, check=True)
     check(file.stat().st_size > 20000, "the game shows nothing")
 
 
