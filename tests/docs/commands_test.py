@@ -2,8 +2,8 @@
 
 usage: commands_test.py REPOSITORY FOLDER_OF_PROGRAMS [--long] [--page PAGE] [--list]
 
-Commands are the lines of blocks fenced as `sh` and `console` (after "$ "), Python blocks, and `code` within a line that begins with one of
-PROGRAMS and has arguments. Each must end with 0 and write the files it names; what a `console` block shows is compared by its shape:
+Commands are the lines of blocks fenced as `sh` and `console` (after "$ "), blocks of Python, blocks of C (which are compiled), and `code`
+within a line that begins with one of PROGRAMS and has arguments. Each must end with 0 and write the files it names; what a `console` block shows is compared by its shape:
 numbers may differ. Where a word in capitals or brackets stands for something, verb and options are looked up in the help.
 By default sizes and times are cut down (`small`), and the samples' winds are computed on few cells; --long runs all as it stands, and a
 picture of docs/images that it makes must look as the one that is there.
@@ -38,6 +38,18 @@ BEFORE = {
     "docs/windpack.md": ["windloom bake projects/meadow/meadow.wind.json --out wind --format windpack --seconds 0.2",
                          "cp wind/wind.windpack ."],
 }
+# What a piece of C stands in: names that the text around it explains.
+C_AROUND = """#include <stdio.h>
+#include <windloom_runtime.h>
+%s
+int main(void) {
+  windloom_status status = WINDLOOM_OK;
+  float x = 0, z = 0, wind[2] = {0, 0};
+  double seconds = 0;
+  { %s }
+  return wind[0] > x + z + seconds + status;
+}
+"""
 SKIPPED = ("docs/images/", "tests/golden/pictures/", "tests/data/broken/", "engine/", "editor/")
 CELLS = 32
 PICTURE_LIMIT = 6  # of 255, in the mean
@@ -54,9 +66,17 @@ class Command:
         return entry[0] == self.page and entry[1] in self.text
 
 
+def in_order(text):
+    """The lines of a piece of C: what it includes, and the rest."""
+    lines = text.split("\n")
+    return tuple("\n".join(line for line in lines if line.startswith("#") == first) for first in (True, False))
+
+
 def commands_of_block(page, block):
     if block.language == "python":
         return [Command(page, block.line, f"python3 - <<'END'\n{block.text}END", [])]
+    if block.language == "c":
+        return [Command(page, block.line, f"cc -x c -Wall -fsyntax-only -I \"$RUNTIME\" - <<'END'\n{C_AROUND % in_order(block.text)}END", [])]
     found, pending = [], ""
     whole = re.search(r"^(for|while|if) ", block.text, re.M)
     if whole:
@@ -81,7 +101,7 @@ def commands_of(page):
     """(commands to run, forms whose words stand for something)."""
     name, found, forms = str(page.path), [], []
     for block in page.blocks:
-        if block.language in SHELL + ("python",):
+        if block.language in SHELL + ("python", "c"):
             found += commands_of_block(name, block)
     for line, code in markdown.inline_code(page):
         code = code.replace("\\|", "|")
@@ -211,7 +231,8 @@ def shape(line):
 def run_command(command, scratch, folder, environment):
     """Problems of one command."""
     text = ends_by_itself(command.text) if scratch.long else small(command.text)
-    environment = dict(environment, PATH=f"{scratch.bin}:{environment['PATH']}", HOME=str(folder), TMPDIR=str(folder))
+    environment = dict(environment, PATH=f"{scratch.bin}:{environment['PATH']}", HOME=str(folder), TMPDIR=str(folder),
+                       RUNTIME=str(scratch.root / "engine/runtime"))
     began = time.time()
     try:
         done = subprocess.run(["bash", "-euo", "pipefail", "-c", text], cwd=folder, env=environment, capture_output=True, text=True,
@@ -276,6 +297,14 @@ class Forms:
                 if not re.search(rf"{option}\b", told + self.help("windloom"))]
 
 
+def self_check(scratch, environment):
+    """The checks bite: each of these must be refused."""
+    wrong = [("windloom info nothing.wind.json", []), ("windloom bake --no-such-option x", []), ("true --out nothing.png", []),
+             ("windloom --version", ["another program 1.2"])]
+    return [f"self check: not refused: {text}" for text, output in wrong
+            if not run_command(Command("self check", 0, text, output), scratch, scratch.tree, environment)]
+
+
 def list_problems(commands):
     """Entries of the exceptions that no command needs."""
     found = [f"{name}: no command matches {entry[:2]}" for name, entries in (("NEVER", NEVER), ("LONG", LONG))
@@ -309,6 +338,7 @@ def main():
     else:
         with tempfile.TemporaryDirectory(prefix="windloom-docs-") as name, display("1280x800") as environment:
             scratch = Scratch(root, programs, pathlib.Path(name), long)
+            found += self_check(scratch, environment)
             with concurrent.futures.ThreadPoolExecutor(2) as pool:
                 jobs = [pool.submit(run_page, page, commands, scratch, environment)
                         for page, commands in sorted(chosen.items(), key=lambda item: -len(item[1]))]

@@ -114,13 +114,22 @@ def path_problems(pages, files):
     return found + [f"MADE: no page names {entry}" for entry in MADE if entry not in used], count
 
 
+def self_check(root, known, files):
+    """The checks bite: a page with a wrong option, key and path has all three found."""
+    page = markdown.Page(pathlib.PurePosixPath("wrong.md"), [(1, "`windloom bake --no-such` **Ctrl+F12** `engine/no/such.cpp`")], [])
+    lists = option_problems([page], known)[0], key_problems(root, [page])[0], path_problems([page], files)[0]
+    return [f"self check: a wrong {what} is not found" for what, found in zip(("option", "key", "path"), lists)
+            if not any(problem.startswith("wrong.md:1") for problem in found)]
+
+
 def main():
     root = pathlib.Path(sys.argv[1])
     pages = markdown.pages(root)
-    options, option_count = option_problems(pages, known_options(root, *sys.argv[2:5]))
+    known, files = known_options(root, *sys.argv[2:5]), set(markdown.tracked(root))
+    options, option_count = option_problems(pages, known)
     keys, key_count = key_problems(root, pages)
-    paths, path_count = path_problems(pages, set(markdown.tracked(root)))
-    found = options + keys + paths
+    paths, path_count = path_problems(pages, files)
+    found = self_check(root, known, files) + options + keys + paths
     for line in found:
         print(line)
     print(f"{option_count} different options, {key_count} different keys, {path_count} paths, {len(found)} problems")
