@@ -5,12 +5,12 @@ usage: commands_test.py REPOSITORY FOLDER_OF_PROGRAMS [--long] [--page PAGE] [--
 Commands are the lines of blocks fenced as `sh` and `console` (after "$ "), blocks of Python, blocks of C (which are compiled), and `code`
 within a line that begins with one of PROGRAMS and has arguments. Each must end with 0 and write the files it names; what a `console` block shows is compared by its shape:
 numbers may differ. Where a word in capitals or brackets stands for something, verb and options are looked up in the help.
+Scripts of tests are run by tests of their own and only compiled here.
 By default sizes and times are cut down (`small`), and the samples' winds are computed on few cells; --long runs all as it stands, and a
 picture of docs/images that it makes must look as the one that is there.
 """
 import concurrent.futures
 import dataclasses
-import os
 import pathlib
 import re
 import shutil
@@ -20,7 +20,7 @@ import tempfile
 import time
 
 import markdown
-from command_exceptions import LONG, NEVER
+from command_exceptions import LONG, NEVER, REFUSED
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parents[1] / "ui"))
 from editor_driver import display  # noqa: E402
@@ -33,8 +33,8 @@ WITHOUT_FILE = re.compile(r"windloom (bake|render|sample|info|validate) (?!.*(\.
 SHELL = ("sh", "console")
 # What a reader has done before on that page, or elsewhere, without a command.
 BEFORE = {
-    "docs/tutorial.md": ["windloom new first.wind.json --template breeze",
-                         "windloom bake first.wind.json --out first-wind --format windpack --seconds 0.2"],
+    "docs/tutorial.md": ["windloom new projects/meadow/first.wind.json --template breeze",
+                         "windloom bake projects/meadow/first.wind.json --out projects/meadow/first-wind --format windpack --seconds 0.2"],
     "docs/windpack.md": ["windloom bake projects/meadow/meadow.wind.json --out wind --format windpack --seconds 0.2",
                          "cp wind/wind.windpack ."],
 }
@@ -120,37 +120,44 @@ def stray_blocks(page):
             if block.language not in SHELL and any(PROGRAMS.match(line) for line in block.text.split("\n"))]
 
 
+def bounded(text):
+    """The same command so that it ends by itself and soon, in both forms: windows close, measurements are quick, and programs of
+    tests, which have tests of their own, only list what they would do."""
+    if re.match(r"\./run\b(?!.*--)", text):
+        return f"timeout 5 {text} || [ $? = 124 ]"  # it opens the editor, which stays open
+    if re.search(r"windloom-leaves\b(?!.*--frames)", text):
+        text += " --frames 30"
+    if re.search(r"windloom-editor\b(?!.*--(screenshot|keys))", text):
+        text += " --frames 2 --screenshot window.png"
+    if re.search(r"bin/\w+_test\b", text):
+        text += " --gtest_list_tests | grep '^  ' >/dev/null"  # the filter must find something
+    if re.search(r"bin/\w+_bench\b", text):
+        text += " --benchmark_list_tests | grep . >/dev/null"
+    return re.sub(r"(windloom bench .*)$", r"\1 --quick", text)
+
+
 def small(text):
     """The same command at a size that takes a moment."""
-    if text.startswith("./run"):
-        return ends_by_itself(text)
     text = re.sub(r"(?<=\bwindloom )render\b", f"render --size 96x54 --resolution {CELLS}x{CELLS} --density 4", text)
     if "windloom render" in text:
         head, tail = text.split("--density 4", 1)
         tail = re.sub(r" --(size|resolution) \d+x\d+| --full-quality", "", tail)
         text = head + "--density 4" + re.sub(r"--time \d+(\.\d+)?", "--time 0.1", tail)
-    text = re.sub(r"(--resolution) \d+x\d+(?! --density)", rf"\1 {CELLS}x{CELLS}", text)
-    text = re.sub(r"(windloom bench .*)$", r"\1 --quick", text)
+    text = bounded(re.sub(r"(--resolution) \d+x\d+(?! --density)", rf"\1 {CELLS}x{CELLS}", text))
     if "windloom-editor" in text and "--screenshot" in text:
         text = re.sub(r"--frames \d+", "--frames 3", re.sub(r"--size \d+x\d+", "--size 480x320", text))
-    elif re.match(r"windloom-editor|build/\w+/bin/windloom-editor", text) and "--keys" not in text:
-        text += f" --frames 2 --screenshot {os.devnull}.png"
     if "windloom-leaves" in text:
-        text = re.sub(r" --frames \d+", "", text) + " --frames 2 --size 240x160"
-    if re.search(r"bin/\w+_test\b", text):
-        text += " --gtest_list_tests | grep '^  ' >/dev/null"  # the filter must find something
-    elif re.search(r"bin/\w+_bench\b", text):
-        text += " --benchmark_list_tests | grep . >/dev/null"
+        text = re.sub(r"--frames \d+", "--frames 2", text) + " --size 240x160"
     return text
 
 
-def ends_by_itself(text):
-    """Windows are closed in the long form, too."""
-    if re.match(r"\./run\b(?!.*--)", text):
-        return f"timeout 5 {text} || [ $? = 124 ]"  # it opens the editor, which stays open
-    if "windloom-leaves" in text and "--frames" not in text:
-        text += " --frames 30"
-    return text
+def test_script(text, root):
+    """The script that a command runs, where a test of its own runs it, too."""
+    script = re.match(r"python3 (tests/\S+/(\w+\.py))", text)
+    if not script:
+        return ""
+    lists = [file.read_text() for file in (root / script.group(1)).parent.glob("CMakeLists.txt")]
+    return script.group(1) if any(f"SCRIPT {script.group(2)}" in text for text in lists) else ""
 
 
 STUBS = {
@@ -205,8 +212,7 @@ class Scratch:
 
 def written(text):
     """Files and folders that a command says it writes."""
-    return [path.strip("'\"") for path in re.findall(r"--(?:out|screenshot|pictures|keys|prefix) (\S+)", text)
-            if os.devnull not in path]
+    return [path.strip("'\"") for path in re.findall(r"--(?:out|screenshot|pictures|keys|prefix) (\S+)", text)]
 
 
 def grains(file):
@@ -230,7 +236,9 @@ def shape(line):
 
 def run_command(command, scratch, folder, environment):
     """Problems of one command."""
-    text = ends_by_itself(command.text) if scratch.long else small(command.text)
+    script = test_script(command.text, scratch.root)
+    text = (f"python3 -m py_compile {script}" if script else
+            bounded(command.text) if scratch.long else small(command.text))
     environment = dict(environment, PATH=f"{scratch.bin}:{environment['PATH']}", HOME=str(folder), TMPDIR=str(folder),
                        RUNTIME=str(scratch.root / "engine/runtime"))
     began = time.time()
@@ -325,10 +333,12 @@ def main():
     look_up = Forms(programs)
     found += list_problems(everything) + [problem for form in forms for problem in look_up.problems(form)]
     left_out = NEVER if long else NEVER + LONG
+    refused = {command.text for command in everything if any(re.search(pattern, command.text) for pattern, _ in REFUSED)}
     chosen, seen = {}, set()
     for command in everything:
         known = (command.text, command.page if command.output or "first" in command.text else "")
-        if known not in seen and not any(command.matches(entry) for entry in left_out) and only in ("", command.page):
+        if (known not in seen and command.text not in refused and only in ("", command.page)
+                and not any(command.matches(entry) for entry in left_out)):
             chosen.setdefault(command.page, []).append(command)
         seen.add(known)
     count = sum(map(len, chosen.values()))
@@ -346,7 +356,7 @@ def main():
     for line in found:
         print(line)
     print(f"{len(everything)} commands on {len({c.page for c in everything})} pages, {count} of them run, {len(forms)} forms looked up, "
-          f"{len(NEVER)} never run, {len(LONG)} long, {len(found)} problems")
+          f"{len(NEVER) + len(refused)} never run, {len(LONG)} long, {len(found)} problems")
     return 1 if found else 0
 
 

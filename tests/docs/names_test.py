@@ -40,7 +40,7 @@ def known_options(root, windloom, editor, leaves):
     """Every option that one of our programs or scripts takes."""
     main = help_of(windloom)
     verbs = re.findall(r"^  (\w+)  +", main.split("Subcommands:")[1], re.M)
-    text = main + help_of(editor) + help_of(leaves) + "".join(help_of(windloom, verb) for verb in verbs)
+    text = main + help_of(editor) + help_of(leaves) + "".join(help_of(windloom, verb) for verb in [*verbs, "docs"])
     scripts = [name for name in markdown.tracked(root) if name.endswith((".py", ".sh")) or name in ("run", "test")]
     text += "".join((root / name).read_text() for name in scripts if name != "tests/docs/names_test.py")
     return set(re.findall(r"--[a-zA-Z][\w-]*", text))

@@ -7,6 +7,7 @@ Without a folder the pictures go nowhere: the test that the tutorial can be foll
 import json
 import math
 import pathlib
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -160,14 +161,17 @@ def start_anew(hands):
 def save(hands, folder):
     hands.app.key("ctrl+s")
     hands.app.wait_fact("dialog", "save as")
-    hands.app.choose_path(folder / "first.wind.json")
+    hands.app.choose_path("first.wind.json")  # in the folder that the dialog begins with
     hands.app.wait_fact("dirty", "no")
+    check((folder / "first.wind.json").exists(), "the dialog begins in the sample's folder")
 
 
 def follow(programs, sample, pictures):
     with tempfile.TemporaryDirectory(prefix="windloom-tutorial-") as name, display(SIZE) as environment:
-        folder = pathlib.Path(name)
-        with editor(programs[0], environment, folder, sample, size=SIZE) as app:
+        folder = pathlib.Path(name) / "projects/meadow"
+        folder.mkdir(parents=True)
+        shutil.copy(sample, folder)
+        with editor(programs[0], environment, pathlib.Path(name), str(folder / "meadow.wind.json"), size=SIZE) as app:
             hands = Hands(app, pictures)
             start_anew(hands)
             places = draw_tree(hands)
@@ -183,7 +187,7 @@ def follow(programs, sample, pictures):
 
 def main():
     programs = sys.argv[1:4]
-    sample = str(pathlib.Path(__file__).resolve().parents[2] / "projects/meadow/meadow.wind.json")
+    sample = pathlib.Path(__file__).resolve().parents[2] / "projects/meadow/meadow.wind.json"
     with tempfile.TemporaryDirectory(prefix="windloom-tutorial-") as nowhere:
         follow(programs, sample, pathlib.Path(sys.argv[4] if len(sys.argv) > 4 else nowhere))
     print("the tutorial can be followed")
