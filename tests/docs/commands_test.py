@@ -52,7 +52,8 @@ int main(void) {
 """
 SKIPPED = ("docs/images/", "tests/golden/pictures/", "tests/data/broken/", "engine/", "editor/")
 CELLS = 32
-PICTURE_LIMIT = 6  # of 255, in the mean
+# Of 255, in the mean. Another way of bending blades makes 2.4, another camera 10; windows are taken at no fixed moment.
+RENDER_LIMIT, WINDOW_LIMIT = 2, 8
 
 
 @dataclasses.dataclass
@@ -220,14 +221,14 @@ def grains(file):
     return subprocess.run(["convert", str(file), "-resize", "96x54!", "-depth", "8", "rgb:-"], capture_output=True, check=True).stdout
 
 
-def stale(path, folder, root):
-    """Whether a picture of the documents looks other than what its command makes now; windows and drivers differ a little."""
+def stale(path, limit, folder, root):
+    """Whether a picture of the documents looks other than what its command makes now."""
     stored = root / path
     if not path.startswith("docs/images/") or not stored.exists() or not (folder / path).exists():
         return ""
     now, then = grains(folder / path), grains(stored)
     difference = sum(abs(a - b) for a, b in zip(now, then)) / len(then)
-    return f"{path} is out of date: off by {difference:.1f} of 255 in the mean" if difference > PICTURE_LIMIT else ""
+    return f"{path} is out of date: off by {difference:.1f} of 255 in the mean" if difference > limit else ""
 
 
 def shape(line):
@@ -256,8 +257,9 @@ def run_command(command, scratch, folder, environment):
         there = [folder / p for p in (path, numbered) if (folder / p).exists()]
         if not there or max(p.stat().st_mtime for p in there) < began - 2:
             found.append(f"{where}\n  didn't write {path}")
-        elif scratch.long and stale(path, folder, scratch.root):
-            found.append(f"{where}\n  {stale(path, folder, scratch.root)}")
+        elif scratch.long:
+            problem = stale(path, RENDER_LIMIT if "windloom render" in text else WINDOW_LIMIT, folder, scratch.root)
+            found += [f"{where}\n  {problem}"] if problem else []
     shown = [shape(line) for line in command.output if line.strip()]
     told = [shape(line) for line in done.stdout.split("\n") if line.strip()]
     if shown and shown != told:

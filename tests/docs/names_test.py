@@ -1,4 +1,4 @@
-"""What documents name is there: options, keys, files and folders, rooms with their READMEs.
+"""What documents name is there: options, keys, files and folders, names of the code.
 
 usage: names_test.py REPOSITORY WINDLOOM WINDLOOM_EDITOR WINDLOOM_LEAVES
 
@@ -80,6 +80,37 @@ def key_problems(root, pages):
     return found + [f"KEYS_ELSEWHERE: no page names {key}" for key in KEYS_ELSEWHERE if key not in seen], len(seen)
 
 
+IDENTIFIER = re.compile(r"\b(?:[A-Z][a-z]+[A-Z]\w+|[a-z]+[A-Z]\w*|[A-Z]+_[A-Z_]+|[a-z]+_[a-z_]+)\b")
+SOURCES = (".cpp", ".hpp", ".h", ".c", ".cmake", ".txt", ".py", ".cs", ".glsl", ".vert", ".frag", ".comp")
+# Words that look like names of the code and aren't, with what they are.
+NO_NAMES = {
+    "snake_case": "a way to write names", "PascalCase": "a way to write names", "camelCase": "a way to write names",
+    "kName": "a way to write names", "minX": "a number in a file", "minY": "a number in a file", "minZ": "a number in a file",
+    "maxX": "a number in a file", "maxY": "a number in a file", "maxZ": "a number in a file",
+}
+
+
+def words_of(root):
+    """Every word of the sources, without this script's own."""
+    names = [name for name in markdown.tracked(root) if name.endswith(SOURCES) and name != "tests/docs/names_test.py"]
+    return set(re.findall(r"\w+", " ".join((root / name).read_text(errors="replace") for name in names)))
+
+
+def identifier_problems(pages, words):
+    """Names of types, functions and constants in backticks stand somewhere in the sources."""
+    found, seen = [], set()
+    for page in pages:
+        if str(page.path) == "CHANGELOG.md":
+            continue
+        for line, code in markdown.inline_code(page):
+            part = "*" in code  # a filter of tests: a part of a name
+            for name in IDENTIFIER.findall(re.sub(r"--[\w-]+|-D", "", code)):
+                seen.add(name)
+                if name not in NO_NAMES and name not in words and not (part and any(name in word for word in words)):
+                    found.append(f"{page.path}:{line}: nothing in the sources is called {name}")
+    return found + [f"NO_NAMES: no page says {name}" for name in NO_NAMES if name not in seen], len(seen)
+
+
 PATH = re.compile(r"(?:\.\.?/)*[\w*][\w.*-]*(?:/[\w.*{},-]+)*/?")
 SUFFIX = re.compile(r"\.(md|cpp|hpp|c|h|py|sh|json|png|glb|txt|glsl|vert|frag|comp|cmake|in|svg|hlsl|gltf|gd|cs)$")
 
@@ -114,11 +145,11 @@ def path_problems(pages, files):
     return found + [f"MADE: no page names {entry}" for entry in MADE if entry not in used], count
 
 
-def self_check(root, known, files):
-    """The checks bite: a page with a wrong option, key and path has all three found."""
-    page = markdown.Page(pathlib.PurePosixPath("wrong.md"), [(1, "`windloom bake --no-such` **Ctrl+F12** `engine/no/such.cpp`")], [])
-    lists = option_problems([page], known)[0], key_problems(root, [page])[0], path_problems([page], files)[0]
-    return [f"self check: a wrong {what} is not found" for what, found in zip(("option", "key", "path"), lists)
+def self_check(root, known, files, words):
+    """The checks bite: a page with a wrong option, key, path and name has all of them found."""
+    page = markdown.Page(pathlib.PurePosixPath("wrong.md"), [(1, "`windloom bake --no-such` **Ctrl+F12** `engine/no/such.cpp` `noSuchName`")], [])
+    lists = option_problems([page], known)[0], key_problems(root, [page])[0], path_problems([page], files)[0], identifier_problems([page], words)[0]
+    return [f"self check: a wrong {what} is not found" for what, found in zip(("option", "key", "path", "name"), lists)
             if not any(problem.startswith("wrong.md:1") for problem in found)]
 
 
@@ -129,10 +160,13 @@ def main():
     options, option_count = option_problems(pages, known)
     keys, key_count = key_problems(root, pages)
     paths, path_count = path_problems(pages, files)
-    found = self_check(root, known, files) + options + keys + paths
+    words = words_of(root)
+    identifiers, identifier_count = identifier_problems(pages, words)
+    found = self_check(root, known, files, words) + options + keys + paths + identifiers
     for line in found:
         print(line)
-    print(f"{option_count} different options, {key_count} different keys, {path_count} paths, {len(found)} problems")
+    print(f"{option_count} different options, {key_count} different keys, {path_count} paths, "
+          f"{identifier_count} different names of the code, {len(found)} problems")
     return 1 if found else 0
 
 
