@@ -98,17 +98,23 @@ def commands_of_block(page, block):
     return found
 
 
+def runs_on(page, text):
+    """Records of long runs are looked up; the choice of tests is run, which lists them only."""
+    return not page.startswith("docs/reliability") or re.match(r"(ctest|\./test)\b", text) is not None
+
+
 def commands_of(page):
     """(commands to run, forms whose words stand for something)."""
     name, found, forms = str(page.path), [], []
     for block in page.blocks:
         if block.language in SHELL + ("python", "c"):
             found += commands_of_block(name, block)
+    found, forms = ([c for c in found if runs_on(name, c.text)], [c for c in found if not runs_on(name, c.text)])
     for line, code in markdown.inline_code(page):
         code = code.replace("\\|", "|")
         if not PROGRAMS.match(code):
             continue
-        if STANDS_FOR.search(code) or not re.search(r" (-|\S*[./])|^windloom docs ", code) or WITHOUT_FILE.match(code):
+        if STANDS_FOR.search(code) or not re.search(r" (-|\S*[./])|^windloom docs ", code) or WITHOUT_FILE.match(code) or not runs_on(name, code):
             forms.append(Command(name, line, code, []))
         else:
             found.append(Command(name, line, code, []))
@@ -283,7 +289,8 @@ def run_page(page, commands, scratch, environment):
 class Forms:
     """Looks verbs and options up in the programs' help."""
 
-    def __init__(self, programs):
+    def __init__(self, root, programs):
+        self.root = root
         self.programs = programs
         self.helps = {}
 
@@ -296,6 +303,8 @@ class Forms:
     def problems(self, form):
         words = form.text.split()
         program = pathlib.PurePosixPath(words[0]).name
+        if program == "python3" and words[1].startswith("tests/") and not (self.root / words[1]).exists():
+            return [f"{form.page}:{form.line}: there is no {words[1]}"]
         if not program.startswith("windloom"):
             return []
         verb = [words[1]] if program == "windloom" and len(words) > 1 and re.fullmatch(r"[a-z]+", words[1]) else []
@@ -332,7 +341,7 @@ def main():
         commands, stands_for = commands_of(page)
         everything += commands
         forms += stands_for
-    look_up = Forms(programs)
+    look_up = Forms(root, programs)
     found += list_problems(everything) + [problem for form in forms for problem in look_up.problems(form)]
     left_out = NEVER if long else NEVER + LONG
     refused = {command.text for command in everything if any(re.search(pattern, command.text) for pattern, _ in REFUSED)}

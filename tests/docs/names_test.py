@@ -28,7 +28,7 @@ KEYS_ELSEWHERE = {"Enter": "dialogs", "Space": "also in the sample game"}
 MADE = {
     r"first(-wind|\.png|\.wind\.json)(/.*)?": "the tutorial",
     r"(wind|flow|flow16|slab|wind-v2|bend-soft)[\w.-]*": "a bake",
-    r"(HOWTO\.md|manifest\.json|graph\.gltf|wind\.(hlsl|glsl|gd|gdshaderinc)|WindloomImport\.cs|import_windloom\.py)": "a bake",
+    r"(HOWTO\.md|manifest\.json|graph\.gltf|wind\.(hlsl|glsl|gd|gdshaderinc)|WindloomImport\.cs|import_windloom\.py|log\.txt)": "a bake, the editor",
 }
 
 
