@@ -34,9 +34,9 @@ glm::ivec2 jpegSize(const std::vector<unsigned char>& bytes) {
 /// Whether no Huffman table (the segment at `at` holds some) has more than the 256 codes that there can be.
 bool tablesFit(const std::vector<unsigned char>& bytes, std::size_t at, std::size_t end) {
   constexpr std::size_t kHead = 17;  // its number, then how many codes there are of each length
-  while (at + kHead <= std::min(end, bytes.size())) {
+  while (at < std::min(end, bytes.size())) {
     std::size_t codes = 0;
-    for (std::size_t i = 1; i < kHead; ++i) codes += bytes[at + i];
+    for (std::size_t i = 1; i < kHead && at + i < bytes.size(); ++i) codes += bytes[at + i];
     if (codes > 256) return false;
     at += kHead + codes;
   }
