@@ -31,6 +31,35 @@ glm::ivec2 jpegSize(const std::vector<unsigned char>& bytes) {
   return glm::ivec2(0);
 }
 
+/// Whether no Huffman table (the segment at `at` holds some) has more than the 256 codes that there can be.
+bool tablesFit(const std::vector<unsigned char>& bytes, std::size_t at, std::size_t end) {
+  constexpr std::size_t kHead = 17;  // its number, then how many codes there are of each length
+  while (at < std::min(end, bytes.size())) {
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i < kHead && at + i < bytes.size(); ++i) codes += bytes[at + i];
+    if (codes > 256) return false;
+    at += kHead + codes;
+  }
+  return true;
+}
+
+/// The library that decodes JPEG writes beyond its tables where one is too long (stb_image before 2.29), so all are
+/// looked at first, segment by segment up to the end of the picture.
+bool jpegTablesFit(const std::vector<unsigned char>& bytes) {
+  for (std::size_t at = 0; at + 3 < bytes.size();) {
+    if (bytes[at++] != 0xff) continue;
+    while (at + 2 < bytes.size() && bytes[at] == 0xff) ++at;
+    const unsigned kind = bytes[at++];
+    if (kind == 0xd9) return true;
+    if (kind == 0x00 || kind == 0x01 || (kind >= 0xd0 && kind <= 0xd8)) continue;  // no segment: coded picture
+    if (at + 1 >= bytes.size()) return true;
+    const std::size_t length = bytes[at] * 256u + bytes[at + 1];
+    if (kind == 0xc4 && !tablesFit(bytes, at + 2, at + length)) return false;
+    at += std::max<std::size_t>(length, 2);
+  }
+  return true;
+}
+
 Image toRgba(const Image& from) {
   if (from.channels == 4) return from;
   Image to(from.width, from.height, 4);
@@ -53,6 +82,7 @@ Result<Image> decodeJpeg(const std::vector<unsigned char>& bytes, const fs::path
   if (size.x <= 0 || size.y <= 0) return bad("is a damaged JPEG picture");
   if (std::max(size.x, size.y) > kMaxPictureSide)
     return bad("has more than " + std::to_string(kMaxPictureSide) + " pixels a side");
+  if (!jpegTablesFit(bytes)) return bad("is a damaged JPEG picture");
   tinygltf::Image decoded;
   std::string problem, warning;
   const bool good = tinygltf::LoadImageData(&decoded, 0, &problem, &warning, 0, 0, bytes.data(),
