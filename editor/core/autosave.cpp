@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -10,9 +11,11 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/io/assets.hpp"
+#include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
 
@@ -31,9 +34,28 @@ fs::path lockOf(const fs::path& sideFile) {
 int lockFile(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (descriptor < 0) return -1;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  struct stat found {};
+  // Another editor may have met it before it was locked, and cleared it away.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &found) == 0 && found.st_nlink > 0)
+    return descriptor;
   ::close(descriptor);
   return -1;
+}
+
+/// Locks that killed editors left without a side file: nothing is to be rescued there.
+void clearLeftLocks(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    const fs::path path = it->path();
+    const std::string lockSuffix = std::string(kSuffix) + ".lock";
+    std::error_code ignored;
+    if (!path.string().ends_with(lockSuffix)) continue;
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    const fs::path sideFile = fs::path(path).replace_extension();
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && !fs::exists(sideFile, ignored)) ::unlink(path.c_str());
+    ::close(descriptor);
+  }
 }
 
 bool ownerRuns(const fs::path& sideFile) {
@@ -57,7 +79,7 @@ struct SideFile {
   std::string project;
 };
 
-std::optional<std::string> textIn(const nlohmann::json& json, const char* key) {
+std::optional<std::string> textIn(const JsonDocument& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_string()) return std::nullopt;
   return found->get_ref<const std::string&>();
@@ -67,7 +89,8 @@ Result<SideFile> readSideFile(const fs::path& path) {
   // Escaped as a text, a project takes more room than as a file.
   const Result<std::string> bytes = readFile(path, 4 * kMaxProjectBytes);
   if (!bytes) return bytes.error();
-  const nlohmann::json json = nlohmann::json::parse(*bytes, nullptr, false);
+  const Result<JsonDocument> parsed = parseJsonDocument(*bytes, path.string());
+  const JsonDocument json = parsed ? *parsed : JsonDocument();
   const Error broken = makeError(ErrorKind::BadInput, path.string(), {}, "is not a rescue file");
   if (!json.is_object() || textIn(json, "format") != kFormat) return broken;
   const auto original = textIn(json, "original"), savedAt = textIn(json, "savedAt"), project = textIn(json, "project");
@@ -77,11 +100,18 @@ Result<SideFile> readSideFile(const fs::path& path) {
 
 }  // namespace
 
-Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)) {
+Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)), m_session(std::move(session)) {
+  claimFile();
+  clearLeftTemporaries(m_folder);
+  clearLeftLocks(m_folder);
+}
+
+/// A name of its own. Without one (the disk is full or away) the next write tries again.
+void Autosave::claimFile() {
   std::error_code ignored;
   if (!makeFolder(m_folder)) return;
   for (int number = 1; number < 100; ++number) {
-    std::string name = session;
+    std::string name = m_session;
     if (number > 1) name.append(1, '-').append(std::to_string(number));
     const fs::path file = m_folder / name.append(kSuffix);
     if (fs::exists(file, ignored)) continue;
@@ -146,6 +176,7 @@ Status writeSideFile(const fs::path& file, const Project& project, const std::st
 void Autosave::begin(const Document& document) {
   m_writing.rescuedFrom = document.rescuedFrom();
   m_writing.stale = false;
+  if (m_file.empty()) claimFile();
   if (m_file.empty()) {
     std::promise<Status> failed;
     failed.set_value(

@@ -79,11 +79,14 @@ void Document::startNew(Project start) {
   m_history = History(std::move(start));
   m_missing.clear();
   m_path.clear();
+  m_stamp = {};
   m_rescuedFrom.clear();
   committedChanged();
 }
 
 Status Document::open(const std::filesystem::path& path) {
+  // Taken before: a change while it is read counts as one after it.
+  const FileStamp stamp = stampOf(path);
   Result<LoadedProject> loaded = loadProject(path);
   if (!loaded) return loaded.error();
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
@@ -91,9 +94,16 @@ Status Document::open(const std::filesystem::path& path) {
   endPreview();
   m_history = History(std::move(loaded->project));
   m_path = path;
+  m_stamp = stamp;
   m_rescuedFrom.clear();
   committedChanged();
   return Done{};
+}
+
+bool Document::changedOnDisk() const {
+  if (m_path.empty()) return false;
+  const FileStamp now = stampOf(m_path);
+  return now.exists && now != m_stamp;
 }
 
 Status Document::save() {
@@ -113,6 +123,7 @@ Status Document::saveAs(const std::filesystem::path& path) {
   const Status status = saveProject(committed(), path);
   if (!status) return status;
   m_path = path;
+  m_stamp = stampOf(path);
   m_history.markSaved();
   touched();
   return status;
@@ -123,6 +134,7 @@ void Document::recover(Project project, std::filesystem::path path, std::filesys
   m_history = History(std::move(project));
   m_history.markUnsaved();
   m_path = std::move(path);
+  m_stamp = stampOf(m_path);
   m_rescuedFrom = std::move(sideFile);
   committedChanged();
 }

@@ -43,7 +43,7 @@ void DocumentFlow::requestSave() {
   if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(m_document.path());
+    saveToOwnFile();
   }
 }
 
@@ -115,7 +115,7 @@ void DocumentFlow::answerSaveChanges(SaveAnswer answer) {
   } else if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(m_document.path());
+    saveToOwnFile();
   }
 }
 
@@ -136,8 +136,10 @@ void DocumentFlow::answerPath(fs::path path) {
     m_path = std::move(path);
     if (other && fs::exists(m_path, ignored)) {
       m_prompt = Prompt::ConfirmOverwrite;
-    } else {
+    } else if (other) {
       saveTo(m_path);
+    } else {
+      saveToOwnFile();
     }
   }
 }
@@ -148,6 +150,17 @@ void DocumentFlow::answerOverwrite(bool overwrite) {
     saveTo(m_path);
   } else {
     m_prompt = Prompt::ChooseSavePath;
+  }
+}
+
+void DocumentFlow::answerChanged(ChangedAnswer answer) {
+  if (m_prompt != Prompt::ConfirmChanged) return;
+  if (answer == ChangedAnswer::Replace) {
+    saveTo(m_document.path());
+  } else if (answer == ChangedAnswer::AnotherName) {
+    m_prompt = Prompt::ChooseSavePath;
+  } else {
+    cancel();
   }
 }
 
@@ -165,6 +178,15 @@ void DocumentFlow::cancel() {
   m_then = Then::Nothing;
   m_openPath.reset();
   m_start = Project{};
+}
+
+/// Over a file that is no longer the one that was read only when that was asked for.
+void DocumentFlow::saveToOwnFile() {
+  if (m_document.changedOnDisk()) {
+    m_prompt = Prompt::ConfirmChanged;
+  } else {
+    saveTo(m_document.path());
+  }
 }
 
 void DocumentFlow::saveTo(const fs::path& target) {

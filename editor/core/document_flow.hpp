@@ -17,9 +17,11 @@ enum class Prompt {
   ChooseOpenPath,    ///< a file to open: answerPath
   ChooseSavePath,    ///< where to save: answerPath
   ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
+  ConfirmChanged,    ///< another program changed the document's file: answerChanged
   StopWork,          ///< quitting would stop workUnderWay(): answerStopWork
 };
 enum class SaveAnswer { Save, DontSave, Cancel };
+enum class ChangedAnswer { Replace, AnotherName, Cancel };
 
 class DocumentFlow {
  public:
@@ -39,8 +41,9 @@ class DocumentFlow {
   /// Adds ".wind.json" to a save path that doesn't end in ".json".
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
-  void answerStopWork(bool stop);        ///< false: nothing happens
-  void cancel();                         ///< from any prompt; nothing happens
+  void answerChanged(ChangedAnswer answer);
+  void answerStopWork(bool stop);  ///< false: nothing happens
+  void cancel();                   ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
   [[nodiscard]] bool quitConfirmed() const { return m_quit; }
@@ -61,6 +64,7 @@ class DocumentFlow {
   void askToSave();
   void proceed();
   void fail(const Error& error);
+  void saveToOwnFile();
   void saveTo(const std::filesystem::path& path);
 
   Document& m_document;

@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
 
 namespace windloom::editor {
 namespace fs = std::filesystem;
@@ -111,9 +112,10 @@ Preferences readPreferences(const fs::path& path, std::vector<std::string>* warn
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return preferences;
   const Result<std::string> bytes = readFile(path, kMaxBytes);
-  const ordered_json json = bytes ? ordered_json::parse(*bytes, nullptr, false) : ordered_json();
+  const Result<ordered_json> parsed = bytes ? parseJsonDocument(*bytes, path.string()) : bytes.error();
+  const ordered_json json = parsed ? *parsed : ordered_json();
   Reader reader(json, warnings);
-  if (!bytes) reader.warn(bytes.error().text());
+  if (!parsed) reader.warn(parsed.error().text());
   if (!json.is_object()) {
     if (bytes) reader.warn(path.string() + " is not a JSON object, the defaults are used");
     return preferences;
@@ -141,8 +143,8 @@ Status writePreferences(const fs::path& path, const Preferences& preferences) {
   json["theme"] = preferences.theme == Theme::Light ? "light" : "dark";
   json["interfaceScale"] = static_cast<double>(preferences.interfaceScale);
   json["recentFiles"] = preferences.recentFiles;
-  ordered_json keymap = ordered_json::parse(preferences.keymap, nullptr, false);
-  json["keymap"] = keymap.is_object() ? std::move(keymap) : ordered_json::object();
+  const Result<ordered_json> keymap = parseJsonDocument(preferences.keymap, "keymap");
+  json["keymap"] = keymap && keymap->is_object() ? *keymap : ordered_json::object();
   ordered_json numbers = ordered_json::object();
   for (const auto& [name, value] : preferences.numbers) {
     if (std::isfinite(value)) numbers[name] = value;

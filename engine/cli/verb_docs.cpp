@@ -1,7 +1,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "engine/cli/app.hpp"
+#include "engine/cli/command_line.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/completion.hpp"
 #include "engine/cli/man_page.hpp"

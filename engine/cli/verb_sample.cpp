@@ -6,6 +6,7 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
@@ -149,7 +150,7 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--time", options->time, "Moment in seconds, rounded to whole time steps")
       ->type_name("T")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(numberFrom(0.0, 1e6))
       ->required();
   addRunOptions(app, *options);
   addCommonOptions(app, *options);

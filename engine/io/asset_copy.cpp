@@ -107,6 +107,7 @@ Result<std::vector<std::string>> assetCompanions(const fs::path& file) {
   if (terrainKindOf(file) != TerrainKind::Mesh) return names;
   const Result<std::string> text = readFile(file, kMaxTerrainBytes);
   if (!text) return text.error();
+  if (Status within = checkJsonExtent(jsonOf(*text), kMaxJsonValues, file.string()); !within) return within.error();
   const JsonDocument document = JsonDocument::parse(jsonOf(*text), nullptr, false);
   if (!document.is_object())
     return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");

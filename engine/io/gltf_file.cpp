@@ -6,6 +6,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
 
 namespace windloom::gltf {
 namespace fs = std::filesystem;
@@ -38,6 +39,16 @@ bool readWhole(std::vector<unsigned char>* out, std::string* problem, const std:
   }
   out->assign(bytes->begin(), bytes->end());
   return true;
+}
+
+/// The JSON of a file, alone or as the first chunk of a binary one.
+std::string_view jsonOf(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (!bytes.starts_with("glTF")) return bytes;
+  if (bytes.size() < kHeader + kChunkHeader) return {};
+  std::uint32_t length = 0;  // little endian, as the file is
+  std::memcpy(&length, bytes.data() + kHeader, sizeof length);
+  return bytes.substr(kHeader + kChunkHeader, length);
 }
 
 bool takePicture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
@@ -94,6 +105,9 @@ Error refuse(const fs::path& file, std::string message) {
 Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures) {
   const Result<std::string> bytes = readFile(file, kMaxBytes);
   if (!bytes) return bytes.error();
+  // The library knows no limits: it follows nested values by recursion and makes an object of each.
+  constexpr std::size_t kMaxValues = 1'000'000;
+  if (Status within = checkJsonExtent(jsonOf(*bytes), kMaxValues, file.string()); !within) return within.error();
   std::error_code ignored;
   Reach reach{fs::absolute(file, ignored).lexically_normal().parent_path(), pictures};
   tinygltf::TinyGLTF loader;
