@@ -29,6 +29,7 @@ class Dialogs {
   void drawOverwrite();
   void drawRescue();
   void drawStopWork();
+  void drawOutside();
   void followFileChoice();
   [[nodiscard]] std::filesystem::path startFolder() const;
 

@@ -138,7 +138,8 @@ std::vector<std::string> ActionTable::search(std::string_view text) const {
 }
 
 Status ActionTable::applyKeymap(std::string_view json) {
-  const nlohmann::json map = nlohmann::json::parse(json, nullptr, false);
+  const Result<JsonDocument> parsed = parseJsonDocument(json, {});
+  const JsonDocument map = parsed ? *parsed : JsonDocument();
   if (!map.is_object()) return makeError(ErrorKind::BadInput, "the keymap is not a JSON object");
   Error error{ErrorKind::BadInput, {}};
   for (const auto& [id, entry] : map.items()) {

@@ -15,6 +15,7 @@
 #include "engine/core/log.hpp"
 #include "engine/core/out_of_memory.hpp"
 #include "engine/io/assets.hpp"
+#include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
 
@@ -59,17 +60,17 @@ struct SideFile {
   std::string project;
 };
 
-std::optional<std::string> textIn(const nlohmann::json& json, const char* key) {
+std::optional<std::string> textIn(const JsonDocument& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_string()) return std::nullopt;
   return found->get_ref<const std::string&>();
 }
 
 Result<SideFile> readSideFile(const fs::path& path) {
-  // Escaped as a text, a project takes more room than as a file.
-  const Result<std::string> bytes = readFile(path, 4 * kMaxProjectBytes);
+  const Result<std::string> bytes = readFile(path, kMaxRescueBytes);
   if (!bytes) return bytes.error();
-  const nlohmann::json json = nlohmann::json::parse(*bytes, nullptr, false);
+  const Result<JsonDocument> parsed = parseJsonDocument(*bytes, path.string());
+  const JsonDocument json = parsed ? *parsed : JsonDocument();
   const Error broken = makeError(ErrorKind::BadInput, path.string(), {}, "is not a rescue file");
   if (!json.is_object() || textIn(json, "format") != kFormat) return broken;
   const auto original = textIn(json, "original"), savedAt = textIn(json, "savedAt"), project = textIn(json, "project");
@@ -257,17 +258,18 @@ std::vector<Rescue> findRescues(const fs::path& folder) {
   return rescues;
 }
 
-Status restoreRescue(Document& document, const Rescue& rescue) {
+Status restoreRescue(Document& document, const Rescue& rescue, OutsideFiles outside) {
   const Result<SideFile> file = readSideFile(rescue.sideFile);
   if (!file) return file.error();
   Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
   if (!loaded) return loaded.error();
   if (!rescue.original.empty()) {
-    if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain)
+    if (const Status terrain = loadTerrain(loaded->project, rescue.original, outside); !terrain)
       logWarning(terrain.error().text());
-    if (const Status assets = loadAssets(loaded->project, rescue.original); !assets) logWarning(assets.error().text());
+    if (const Status assets = loadAssets(loaded->project, rescue.original, outside); !assets)
+      logWarning(assets.error().text());
   }
-  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
+  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile, outside);
   return Done{};
 }
 

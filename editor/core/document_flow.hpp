@@ -18,6 +18,7 @@ enum class Prompt {
   ChooseSavePath,    ///< where to save: answerPath
   ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
   StopWork,          ///< quitting would stop workUnderWay(): answerStopWork
+  OutsideFiles,      ///< what was opened names files outside its folder, see Document::missing: answerOutside
 };
 enum class SaveAnswer { Save, DontSave, Cancel };
 
@@ -40,6 +41,7 @@ class DocumentFlow {
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
   void answerStopWork(bool stop);        ///< false: nothing happens
+  void answerOutside(bool allow);        ///< true: remembered by onAllowOutside, and the project is opened again
   void cancel();                         ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
@@ -47,6 +49,10 @@ class DocumentFlow {
 
   /// What runs beside the window and would be lost by quitting, such as "An export"; empty: nothing does.
   std::function<std::string()> workUnderWay;
+  /// Whether the user allowed files outside the folder of this project file; unset: no.
+  std::function<OutsideFiles(const std::filesystem::path&)> outsideFor;
+  /// Called when the user allows them.
+  std::function<void(const std::filesystem::path&)> onAllowOutside;
   /// Called after each finished operation: an Error to show, or a line such as "Saved meadow.wind.json".
   std::function<void(const Error&)> onFailure;
   std::function<void(const std::string&)> onDone;

@@ -25,6 +25,12 @@ using Json = nlohmann::ordered_json;
 
 /// Refuses what can't be written, before anything runs.
 Status requireWritable(const BakeRequest& request, const BakeHeader& header) {
+  const std::int64_t cells = std::int64_t{header.grid.resolution.x} * header.grid.resolution.y;
+  if (header.frames > kMaxBakeCells / cells) {
+    return makeError(ErrorKind::Usage, "that is " + std::to_string(header.frames) + " frames of " +
+                                           std::to_string(cells) + " cells, at most " + std::to_string(kMaxBakeCells) +
+                                           " cells can be baked in all; use less --seconds, --fps or --resolution");
+  }
   std::string whole;
   bool scale = false;
   for (const WriterKind* kind : request.formats) {

@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/bake/bake.hpp"
+#include "engine/bake/manifest.hpp"
 #include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -12,6 +15,19 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNote = "part-";
+
+/// Names and counts come from a file that anyone may have written.
+bool isLegal(const BakePart& part) {
+  if (part.first < 0 || part.last < part.first || part.last >= kMaxBakeFrames) return false;
+  return std::ranges::all_of(part.groups, [](const std::vector<Json>& group) {
+    return std::ranges::all_of(group, [](const Json& entry) {
+      if (!entry.is_object()) return false;
+      const auto path = entry.find("path"), frame = entry.find("frame");
+      if (path == entry.end() || !path->is_string() || !isPlainName(path->get_ref<const std::string&>())) return false;
+      return frame == entry.end() || frame->is_number_integer();
+    });
+  });
+}
 
 BakePart partFrom(const Json& note) {
   BakePart part;
@@ -52,12 +68,12 @@ std::vector<BakePart> readParts(const fs::path& parts) {
   std::error_code ec;
   for (const fs::directory_entry& entry : fs::directory_iterator(parts, ec)) {
     if (!entry.path().filename().string().starts_with(kNote)) continue;
-    const Result<std::string> text = readFile(entry.path());
-    if (!text) continue;
-    const Json note = Json::parse(*text, nullptr, false);
+    const Result<std::string> text = readFile(entry.path(), kMaxManifestBytes);
+    const Result<Json> note = text ? parseJsonDocument(*text, entry.path().string()) : text.error();
+    if (!note) continue;
     try {
-      BakePart part = partFrom(note);
-      if (hasAllFiles(parts, part)) found.push_back(std::move(part));
+      BakePart part = partFrom(*note);
+      if (isLegal(part) && hasAllFiles(parts, part)) found.push_back(std::move(part));
     } catch (const Json::exception&) {
       continue;  // not a note of ours: its frames count as missing
     }

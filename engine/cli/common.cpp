@@ -25,6 +25,12 @@ void addBackendOption(CLI::App& app, CommonOptions& options) {
       ->type_name("auto|gpu|cpu");
 }
 
+void addOutsideOption(CLI::App& app, CommonOptions& options) {
+  app.add_flag_callback(
+      "--allow-outside", [&options] { options.outside = OutsideFiles::Allow; },
+      "Also read files that the project names outside its own folder: for projects that you trust");
+}
+
 int exitStatus(ErrorKind kind) {
   switch (kind) {
     case ErrorKind::BadInput:
@@ -43,10 +49,17 @@ int reportError(const Error& error, const CommonOptions& options) {
   return exitStatus(error.kind);
 }
 
-Result<Project> loadWithWarnings(const std::string& file) {
-  Result<LoadedProject> loaded = loadProject(file);
+Result<LoadedProject> loadWhole(const std::string& file, OutsideFiles outside) {
+  Result<LoadedProject> loaded = loadProject(file, outside);
+  if (!loaded || loaded->missing.empty()) return loaded;
+  Error error{ErrorKind::BadInput, std::move(loaded->missing)};
+  if (loaded->outsideRefused) error.problems.back().message += " (--allow-outside)";
+  return error;
+}
+
+Result<Project> loadWithWarnings(const std::string& file, OutsideFiles outside) {
+  Result<LoadedProject> loaded = loadWhole(file, outside);
   if (!loaded) return loaded.error();
-  if (!loaded->missing.empty()) return Error{ErrorKind::BadInput, std::move(loaded->missing)};
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
   return std::move(loaded->project);
 }

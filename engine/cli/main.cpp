@@ -1,6 +1,8 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
+#include <stdexcept>
 
 #include "engine/cli/common.hpp"
 #include "engine/cli/verbs.hpp"
@@ -46,6 +48,12 @@ int run(int argc, char** argv) {
 int main(int argc, char** argv) {
   try {
     return windloom::cli::run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    std::fputs("windloom: there is not enough memory for this\n", stderr);
+    return windloom::cli::kExitMachine;
+  } catch (const std::length_error&) {
+    std::fputs("windloom: there is not enough memory for this\n", stderr);
+    return windloom::cli::kExitMachine;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "windloom: %s\n", error.what());
     return windloom::cli::kExitMachine;

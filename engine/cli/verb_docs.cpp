@@ -2,6 +2,7 @@
 #include <memory>
 
 #include "engine/cli/common.hpp"
+#include "engine/cli/limits_page.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/file.hpp"
 #include "engine/io/project_schema.hpp"
@@ -16,7 +17,8 @@ struct Options : CommonOptions {
 int writeDocs(const Options& options) {
   const std::filesystem::path folder = options.folder;
   const std::pair<const char*, std::string> files[] = {{"project.schema.json", projectSchemaJson()},
-                                                       {"parameters.md", parametersMarkdown()}};
+                                                       {"parameters.md", parametersMarkdown()},
+                                                       {"limits.md", limitsMarkdown()}};
   Json written = Json::array();
   for (const auto& [name, text] : files) {
     const std::filesystem::path path = folder / name;
@@ -32,7 +34,8 @@ int writeDocs(const Options& options) {
 
 VerbAction makeDocsVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("folder", options->folder, "Where to write project.schema.json and parameters.md")->required();
+  app.add_option("folder", options->folder, "Where to write project.schema.json, parameters.md and limits.md")
+      ->required();
   addCommonOptions(app, *options);
   return [options] { return writeDocs(*options); };
 }

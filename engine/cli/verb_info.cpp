@@ -301,7 +301,7 @@ void printInfoText(const Options& options, const Project& project, const std::ve
 }
 
 int showInfo(const Options& options) {
-  const Result<Project> project = loadWithWarnings(options.file);
+  const Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return reportError(project.error(), options);
   const GraphEvaluator evaluator(*project->graph);
   const std::vector<Id> roots = findRoots(*project->graph);
@@ -317,6 +317,7 @@ VerbAction makeInfoVerb(CLI::App& app) {
   app.add_option("--fps", options->fps, "Frames a second to count the exports with")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
+  addOutsideOption(app, *options);
   addCommonOptions(app, *options);
   app.footer("Arrival times are those at which the signal of a root reaches a point, in seconds after its onset.");
   return [options] { return showInfo(*options); };

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom {
@@ -24,6 +25,7 @@ Result<std::shared_ptr<GrassMap>> readShellPicture(const std::filesystem::path& 
 /// What is loaded already under the same name is shared, not read again. Fails with BadInput, one problem for each file
 /// that couldn't be read, at its place ("/species/2/file"); that mesh or map then stays as it was and all others are
 /// filled in.
-Status loadAssets(Project& project, const std::filesystem::path& projectFile);
+Status loadAssets(Project& project, const std::filesystem::path& projectFile,
+                  OutsideFiles outside = OutsideFiles::Refuse);
 
 }  // namespace windloom

@@ -68,6 +68,25 @@ TEST(BakeParts, AreReadBackAsTheyWereNoted) {
   EXPECT_EQ(parts[1].groups, part.groups);
 }
 
+TEST(BakeParts, NotesThatNameOtherPlacesOrNoFramesAreNone) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(makeFolder(folder.path() / "parts"));
+  for (const char* name : {"stranger", "parts/0"}) ASSERT_TRUE(writeFileAtomically(folder.path() / name, "a file"));
+  const std::string rest = R"("fastest": 1, "seam": 0, "step": 0, "groups": [[{"path": )";
+  for (const auto& [range, path] : {std::pair(R"("first": 0, "last": 0, )", R"("../stranger"}]]})"),
+                                    {R"("first": 0, "last": 0, )", R"("0", "frame": "one"}]]})"},
+                                    {R"("first": 0, "last": 0, )", R"(7}]]})"},
+                                    {R"("first": -1, "last": 0, )", R"("0"}]]})"},
+                                    {R"("first": 2, "last": 1, )", R"("0"}]]})"},
+                                    {R"("first": 0, "last": 2147483647, )", R"("0"}]]})"}}) {
+    ASSERT_TRUE(writeFileAtomically(folder.path() / "parts" / "part-0-0.json", "{" + std::string(range) + rest + path));
+    EXPECT_TRUE(readParts(folder.path() / "parts").empty()) << range << path;
+  }
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "parts" / "part-0-0.json",
+                                  R"({"first": 0, "last": 0, )" + rest + R"("0", "frame": 0}]]})"));
+  EXPECT_EQ(readParts(folder.path() / "parts").size(), 1u);
+}
+
 TEST(Seam, IsTheStepFromTheLastFrameToTheFirst) {
   SeamMeter meter;
   const std::vector<glm::vec2> a = {{0, 0}, {1, 0}}, b = {{0, 0.5f}, {1, 0}}, c = {{3, 4}, {1, 0}};
