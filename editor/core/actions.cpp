@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/io/json_document.hpp"
+
 namespace windloom::editor {
 namespace {
 
@@ -34,10 +36,10 @@ int matchScore(const std::string& text, const std::string& typed) {
 }
 
 /// One entry of a keymap: a text or an array of texts. Nothing where it is neither or no shortcut.
-std::optional<std::vector<Shortcut>> readShortcuts(const nlohmann::json& entry) {
+std::optional<std::vector<Shortcut>> readShortcuts(const JsonDocument& entry) {
   std::vector<Shortcut> shortcuts;
-  const nlohmann::json list = entry.is_array() ? entry : nlohmann::json::array({entry});
-  for (const nlohmann::json& item : list) {
+  const JsonDocument list = entry.is_array() ? entry : JsonDocument::array({entry});
+  for (const JsonDocument& item : list) {
     if (!item.is_string()) return std::nullopt;
     const auto shortcut = parseShortcut(item.get_ref<const std::string&>());
     if (!shortcut) return std::nullopt;

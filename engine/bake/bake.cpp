@@ -12,6 +12,7 @@
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/file_limits.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
@@ -349,7 +350,7 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
 }
 
 Status loadInitialField(Simulation& simulation, const fs::path& path, double time) {
-  Result<NpyArray> array = readNpy(path);
+  Result<NpyArray> array = readNpy(path, kMaxNpyBytes);
   if (!array) return array.error();
   const std::vector<std::size_t>& shape = array->shape;
   const std::size_t axes = shape.size();

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/core/log.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/core/text.hpp"
-#include "engine/io/project_json.hpp"
 
 namespace windloom::cli {
 
@@ -23,12 +22,6 @@ void addBackendOption(CLI::App& app, CommonOptions& options) {
   };
   app.add_option_function<std::string>("--backend", setBackend, "Where the wind is computed (default auto)")
       ->type_name("auto|gpu|cpu");
-}
-
-void addOutsideOption(CLI::App& app, CommonOptions& options) {
-  app.add_flag_callback(
-      "--allow-outside", [&options] { options.outside = OutsideFiles::Allow; },
-      "Also read files that the project names outside its own folder: for projects that you trust");
 }
 
 int exitStatus(ErrorKind kind) {
@@ -49,19 +42,8 @@ int reportError(const Error& error, const CommonOptions& options) {
   return exitStatus(error.kind);
 }
 
-Result<LoadedProject> loadWhole(const std::string& file, OutsideFiles outside) {
-  Result<LoadedProject> loaded = loadProject(file, outside);
-  if (!loaded || loaded->missing.empty()) return loaded;
-  Error error{ErrorKind::BadInput, std::move(loaded->missing)};
-  if (loaded->outsideRefused) error.problems.back().message += " (--allow-outside)";
-  return error;
-}
-
-Result<Project> loadWithWarnings(const std::string& file, OutsideFiles outside) {
-  Result<LoadedProject> loaded = loadWhole(file, outside);
-  if (!loaded) return loaded.error();
-  for (const Problem& warning : loaded->warnings) logWarning(warning.text());
-  return std::move(loaded->project);
+Result<Project> loadWithWarnings(const std::string& file) {
+  return loadWithWarnings(file, OutsideFiles::Refuse);
 }
 
 Json problemsJson(const std::vector<Problem>& problems) {

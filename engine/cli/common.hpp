@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "engine/core/result.hpp"
-#include "engine/io/project_json.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom::cli {
@@ -25,9 +24,8 @@ inline constexpr int kExitUsage = 2;
 inline constexpr int kExitMachine = 3;
 
 struct CommonOptions {
-  bool json = false;                            ///< --json
-  Backend backend = Backend::Auto;              ///< --backend
-  OutsideFiles outside = OutsideFiles::Refuse;  ///< --allow-outside
+  bool json = false;                ///< --json
+  Backend backend = Backend::Auto;  ///< --backend
 };
 
 /// Adds --json and --backend.
@@ -35,19 +33,13 @@ void addCommonOptions(CLI::App& app, CommonOptions& options);
 /// Adds --backend alone.
 void addBackendOption(CLI::App& app, CommonOptions& options);
 
-/// Adds --allow-outside; for verbs that read a project.
-void addOutsideOption(CLI::App& app, CommonOptions& options);
-
 int exitStatus(ErrorKind kind);
 
 /// Says what went wrong, on standard error and with --json also on standard output; the exit status.
 int reportError(const Error& error, const CommonOptions& options);
 
-/// Reads a project; unknown keys become warnings on standard error. The caller reports a failure. Fails where one of
-/// its files can't be read, too; where it lies outside the project's folder, the message says how to allow that.
-Result<Project> loadWithWarnings(const std::string& file, OutsideFiles outside = OutsideFiles::Refuse);
-/// The same, for those who show warnings themselves.
-Result<LoadedProject> loadWhole(const std::string& file, OutsideFiles outside);
+/// Reads a project; unknown keys become warnings on standard error. The caller reports a failure.
+Result<Project> loadWithWarnings(const std::string& file);
 
 /// Problems as [{file, pointer, message}].
 Json problemsJson(const std::vector<Problem>& problems);

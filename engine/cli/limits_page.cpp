@@ -12,10 +12,11 @@
 #include "engine/cli/option_limits.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
+#include "engine/io/assets.hpp"
+#include "engine/io/file_limits.hpp"
 #include "engine/io/gltf_limits.hpp"
 #include "engine/io/image.hpp"
 #include "engine/io/json_document.hpp"
-#include "engine/io/npy.hpp"
 #include "engine/io/plant_file.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
@@ -115,6 +116,8 @@ std::string assetRows() {
       {"triangles of a collider's mesh", count(kMaxObjectTriangles), "engine/io/plant_file.cpp", "spheres fill it"},
       {"triangles of a surface's mesh", count(kMaxSurfaceTriangles), "engine/io/plant_file.cpp",
        "every frame draws them all"},
+      {"triangles of all meshes of a project", count(kMaxProjectTriangles), "engine/io/assets.cpp",
+       "about 3 GB with their vertices"},
       {"materials of a plant", count(gltf::kMaxMaterials), "engine/io/plant_texture.cpp",
        "their pictures are stacked into one"},
       {"side of a plant's picture", count(gltf::kMaxPictureSide) + " pixels", "engine/io/plant_texture.cpp",

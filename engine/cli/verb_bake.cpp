@@ -10,6 +10,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/log.hpp"
@@ -18,7 +19,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions, RunOptions {
+struct Options : CommonOptions, ProjectOptions, RunOptions {
   std::string file, out, resolution, part;
   std::string preset = "generic", space = "world";
   std::vector<std::string> formats;
@@ -313,7 +314,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
       ->check(CLI::Range(1e-3, 1e4));
-  addOutsideOption(app, *options);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   std::string footer = "Formats, each listed with its checksum in manifest.json:\n";
   for (const WriterKind& kind : writerKinds())

@@ -6,6 +6,7 @@
 
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
@@ -16,7 +17,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::string file;
   double fps = 30;
 };
@@ -317,7 +318,7 @@ VerbAction makeInfoVerb(CLI::App& app) {
   app.add_option("--fps", options->fps, "Frames a second to count the exports with")
       ->check(CLI::Range(0.1, 1000.0))
       ->capture_default_str();
-  addOutsideOption(app, *options);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Arrival times are those at which the signal of a root reaches a point, in seconds after its onset.");
   return [options] { return showInfo(*options); };

@@ -9,6 +9,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
@@ -24,7 +25,7 @@ namespace {
 
 constexpr double kSlice = 0.25;  // s of simulated time between looks at Ctrl+C
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::string file, out, camera, grass, deformation, solver;
   std::string size = "1280x720", resolution;
   std::vector<std::string> overlays;
@@ -257,7 +258,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_flag("--every-blade", options->everyBlade,
                "Full quality, and every blade in sight drawn, however small: needs much memory");
   addBezierOptions(app, options->bezier);
-  addOutsideOption(app, *options);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
   return [options] { return render(*options); };

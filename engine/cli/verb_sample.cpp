@@ -8,6 +8,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
@@ -15,7 +16,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions, RunOptions {
+struct Options : CommonOptions, ProjectOptions, RunOptions {
   std::string file;
   std::vector<std::string> at;
   double time = 0;
@@ -153,7 +154,7 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->check(CLI::Range(0.0, kMaxSeconds))
       ->required();
   addRunOptions(app, *options);
-  addOutsideOption(app, *options);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Speeds in m/s. A direction is where the air goes to, in degrees from +X towards +Z.");
   return [options] { return sample(*options); };

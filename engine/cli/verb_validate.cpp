@@ -2,13 +2,14 @@
 #include <memory>
 
 #include "engine/cli/common.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/io/project_json.hpp"
 
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::vector<std::string> files;
 };
 
@@ -40,7 +41,7 @@ int validateFiles(const Options& options) {
 VerbAction makeValidateVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->files, "Project files (NAME.wind.json)")->required();
-  addOutsideOption(app, *options);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer(
       "Lists every problem with its file and its place as a JSON pointer, and warns of unknown keys.\n"

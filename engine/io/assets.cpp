@@ -36,6 +36,14 @@ class Loader {
       if (!path) return note(path.error(), pointer);
       Result<std::shared_ptr<PlantMesh>> read = readPlantFile(*path, use, accessOf(m_projectFile, m_outside));
       if (!read) return note(read.error(), pointer);
+      const std::size_t triangles = (*read)->indices.size() / 3;
+      if (triangles > m_trianglesLeft) {
+        return note(makeError(ErrorKind::BadInput, file, {},
+                              "makes more than " + std::to_string(kMaxProjectTriangles / 1'000'000) +
+                                  " million triangles in all meshes of the project"),
+                    pointer);
+      }
+      m_trianglesLeft -= triangles;
       (*read)->file = file;
       known = *read;
     }
@@ -77,6 +85,7 @@ class Loader {
   std::map<std::pair<MeshUse, std::string>, std::shared_ptr<const PlantMesh>> m_meshes;
   std::map<std::pair<MapUse, std::string>, std::shared_ptr<const GrassMap>> m_maps;
   std::vector<Problem> m_problems;
+  std::size_t m_trianglesLeft = kMaxProjectTriangles;
 };
 
 void fillSpecies(Project& project, Loader& loader) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/file.hpp"
+#include "engine/io/file_limits.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;

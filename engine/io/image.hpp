@@ -40,7 +40,6 @@ struct BasicImage {
 using Image = BasicImage<std::uint8_t>;
 using Image16 = BasicImage<std::uint16_t>;
 
-inline constexpr std::uint64_t kMaxPngBytes = 256ull << 20;
 inline constexpr int kMaxImageSide = 32768;               ///< pixels
 inline constexpr std::int64_t kMaxImagePixels = 1 << 27;  ///< 512 MB of 8-bit RGBA
 

@@ -13,8 +13,6 @@
 
 namespace windloom {
 
-inline constexpr std::uint64_t kMaxNpyBytes = 1ull << 30;
-
 struct NpyArray {
   std::vector<std::size_t> shape;  ///< slowest axis first; empty: one scalar
   std::vector<float> values;       ///< the product of `shape`, last axis fastest
@@ -22,7 +20,7 @@ struct NpyArray {
 
 /// Fails with BadInput where the file is missing, is no .npy, isn't '<f4' in C order (the message says
 /// what it is and how to convert it), is cut short or too long for its shape, or is over `limitBytes`.
-Result<NpyArray> readNpy(const std::filesystem::path& path, std::uint64_t limitBytes = kMaxNpyBytes);
+Result<NpyArray> readNpy(const std::filesystem::path& path, std::uint64_t limitBytes = 1ull << 30);
 
 /// Writes version 1 atomically. `values` must have as many elements as `shape` says. Fails with Machine.
 Status writeNpy(const std::filesystem::path& path, const std::vector<std::size_t>& shape,

@@ -185,6 +185,21 @@ class Assets(Case):
         placed["nodes"] = [{"children": list(range(1, 202))}] + [{"mesh": 0}] * 201
         self.check("m.glb", glb(placed, data), "places more than 200000 pieces", **ground)
 
+    def test_all_meshes_of_a_project_together(self):
+        document, data = triangles(1)
+        count = 6_000_000  # two million triangles of three vertices, a byte for each corner
+        document["accessors"].append({"bufferView": 1, "componentType": 5121, "count": count, "type": "SCALAR"})
+        document["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": count})
+        document["meshes"][0]["primitives"][0]["indices"] = 1
+        (self.folder / "m0.glb").write_bytes(glb(document, data + bytes((0, 1, 2)) * (count // 3)))
+        for n in range(1, 11):
+            os.link(self.folder / "m0.glb", self.folder / f"m{n}.glb")
+        self.write(surfaces=[{"id": n + 1, "shape": "mesh", "file": f"m{n}.glb"} for n in range(11)])
+        status, text, _ = self.run_windloom("validate", self.project)
+        self.assertEqual(status, BAD_INPUT, text)
+        self.assertIn("/surfaces/10/file: m10.glb: makes more than 20 million triangles", text)
+        self.assertNotIn("/surfaces/9/file", text)
+
     def test_materials_and_their_pictures(self):
         plant = {"species": [{"id": 1, "shape": "mesh", "file": "m.glb"}]}
         many, data = triangles(1)
