@@ -27,8 +27,8 @@ namespace windloom::editor {
 
 class App {
  public:
-  /// Opens the window. Fails with Machine: no display, no OpenGL 4.5, no shaders.
-  static Result<std::unique_ptr<App>> create(const CommandLine& line);
+  /// Opens the window. `log` must outlive it. Fails with Machine: no display, no OpenGL 4.5, no shaders.
+  static Result<std::unique_ptr<App>> create(const CommandLine& line, LogFile& log);
   ~App();
 
   /// Until the window is closed. The exit status.
@@ -40,7 +40,7 @@ class App {
     float left = 220, right = 320, bottom = 215, timeline = 460;
   };
 
-  App(const CommandLine& line, std::unique_ptr<Window> window);
+  App(const CommandLine& line, LogFile& log, std::unique_ptr<Window> window);
   void connect();          // workspace to window, dialogs, live view
   void registerActions();  // what is not the core's: play, overlays, view, help
   void registerPlayActions();

@@ -7,6 +7,7 @@
 
 #include "editor/app/app.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/memory_reserve.hpp"
 
 namespace windloom::editor {
 namespace {
@@ -20,6 +21,7 @@ constexpr int kMostTroubledFrames = 3;
 bool App::tryFrame() {
   try {
     frame();
+    if (m_troubledFrames > 0) keepMemoryReserve();
     m_troubledFrames = 0;
     return true;
   } catch (const std::bad_alloc&) {

@@ -4,6 +4,8 @@
 #include <charconv>
 #include <string>
 
+#include "engine/core/text.hpp"
+
 namespace windloom::editor {
 
 namespace {
@@ -34,7 +36,11 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
   app.add_option("--size", size, "Window size in pixels, e.g. 1280x720")->check([&](const std::string& text) {
     return parseSize(text, line) ? std::string() : "expected WIDTHxHEIGHT, at least 320x240, found '" + text + "'";
   });
-  app.add_option("--scale", line.scale, "Size of text and controls, 1 = 100%")->check(CLI::Range(0.5f, 4.0f));
+  app.add_option("--scale", line.scale, "Size of text and controls, 1 = 100%")->check([](const std::string& text) {
+    const auto scale = parseNumber(text);  // CLI::Range would let "nan" pass
+    return scale && *scale >= 0.5 && *scale <= 4 ? std::string()
+                                                 : "expected a number from 0.5 to 4, found '" + text + "'";
+  });
   app.add_option("--select", line.selected, "Ids of what is selected at the start: 1,4")->delimiter(',');
   app.add_option("--screenshot", screenshot, "Write the window as PNG after --frames frames, and end");
   app.add_option("--frames", line.frames, "Frames before the screenshot; each is 1/30 s of wind")

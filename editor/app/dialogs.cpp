@@ -103,6 +103,20 @@ void Dialogs::drawOverwrite() {
   ImGui::EndPopup();
 }
 
+void Dialogs::drawChanged() {
+  if (!beginBox("Replace the newer file?", "changed on disk")) return;
+  const std::string name = m_workspace.document.path().filename().string();
+  wrapped("Another program has changed " + name +
+          " since it was opened here. Saving replaces those changes; the file as it "
+          "is now stays as " +
+          name + ".bak.");
+  const int chosen = buttonRow({"Save under another name", "Replace", "Cancel"});
+  if (chosen == 0) m_workspace.flow.answerChanged(ChangedAnswer::AnotherName);
+  if (chosen == 1) m_workspace.flow.answerChanged(ChangedAnswer::Replace);
+  if (chosen == 2) m_workspace.flow.answerChanged(ChangedAnswer::Cancel);
+  ImGui::EndPopup();
+}
+
 void Dialogs::drawStopWork() {
   if (!beginBox("Quit?", "stop work")) return;
   wrapped(m_workspace.flow.workUnderWay() + " is still running. Quitting stops it; nothing of it is kept.");
@@ -210,6 +224,8 @@ void Dialogs::draw() {
       return drawSaveChanges();
     case Prompt::ConfirmOverwrite:
       return drawOverwrite();
+    case Prompt::ConfirmChanged:
+      return drawChanged();
     case Prompt::StopWork:
       return drawStopWork();
     case Prompt::OutsideFiles:

@@ -28,6 +28,7 @@ class Dialogs {
   void drawSaveChanges();
   void drawOverwrite();
   void drawRescue();
+  void drawChanged();
   void drawStopWork();
   void drawOutside();
   void followFileChoice();

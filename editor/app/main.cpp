@@ -2,23 +2,33 @@
 #include <new>
 
 #include "editor/app/app.hpp"
+#include "editor/app/user_folders.hpp"
 #include "editor/app/window.hpp"
+#include "editor/core/log_file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/process.hpp"
 
 namespace {
 
 int run(int argc, char** argv) {
   using namespace windloom;
+  prepareProcess();
   int exitStatus = 0;
   const auto line = editor::parseCommandLine(argc, argv, exitStatus);
   if (!line) return exitStatus;
-  auto app = editor::App::create(*line);
+  editor::LogFile file(line->unattended() ? std::filesystem::path() : editor::stateFolder());
+  file.add(LogLevel::Info, "windloom-editor " WINDLOOM_VERSION " starts");
+  file.catchCrashes();
+  auto app = editor::App::create(*line, file);
   if (!app) {
+    file.add(LogLevel::Error, app.error().text());
     logError(app.error().text());
     if (!line->unattended()) editor::showTrouble(app.error().text());
     return app.error().kind == ErrorKind::Machine ? 3 : 1;
   }
-  return (*app)->run();
+  const int status = (*app)->run();
+  file.add(LogLevel::Info, "ends with status " + std::to_string(status));
+  return status;
 }
 
 }  // namespace

@@ -145,7 +145,8 @@ Status ActionTable::applyKeymap(std::string_view json) {
   if (!map.is_object()) return makeError(ErrorKind::BadInput, "the keymap is not a JSON object");
   Error error{ErrorKind::BadInput, {}};
   for (const auto& [id, entry] : map.items()) {
-    const auto found = std::find_if(m_actions.begin(), m_actions.end(), [&](const Action& a) { return a.id == id; });
+    const auto found =
+        std::find_if(m_actions.begin(), m_actions.end(), [&, &name = id](const Action& a) { return a.id == name; });
     if (found == m_actions.end()) {
       error.problems.push_back({"", "/" + id, "there is no such action"});
       continue;

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/out_of_memory.hpp"
@@ -34,9 +36,28 @@ fs::path lockOf(const fs::path& sideFile) {
 int lockFile(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (descriptor < 0) return -1;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  struct stat found {};
+  // Another editor may have met it before it was locked, and cleared it away.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &found) == 0 && found.st_nlink > 0)
+    return descriptor;
   ::close(descriptor);
   return -1;
+}
+
+/// Locks that killed editors left without a side file: nothing is to be rescued there.
+void clearLeftLocks(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    const fs::path path = it->path();
+    const std::string lockSuffix = std::string(kSuffix) + ".lock";
+    std::error_code ignored;
+    if (!path.string().ends_with(lockSuffix)) continue;
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    const fs::path sideFile = fs::path(path).replace_extension();
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && !fs::exists(sideFile, ignored)) ::unlink(path.c_str());
+    ::close(descriptor);
+  }
 }
 
 bool ownerRuns(const fs::path& sideFile) {
@@ -80,12 +101,19 @@ Result<SideFile> readSideFile(const fs::path& path) {
 
 }  // namespace
 
-Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)) {
+Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)), m_session(std::move(session)) {
   keepReserve();
+  claimFile();
+  clearLeftTemporaries(m_folder);
+  clearLeftLocks(m_folder);
+}
+
+/// A name of its own. Without one (the disk is full or away) the next write tries again.
+void Autosave::claimFile() {
   std::error_code ignored;
   if (!makeFolder(m_folder)) return;
   for (int number = 1; number < 100; ++number) {
-    std::string name = session;
+    std::string name = m_session;
     if (number > 1) name.append(1, '-').append(std::to_string(number));
     const fs::path file = m_folder / name.append(kSuffix);
     if (fs::exists(file, ignored)) continue;
@@ -164,6 +192,7 @@ constexpr std::size_t kReserveBytes = 16u << 20;
 void Autosave::begin(const Document& document) {
   m_writing.rescuedFrom = document.rescuedFrom();
   m_writing.stale = false;
+  if (m_file.empty()) claimFile();
   try {
     if (!m_file.empty()) {
       m_writing.done =
@@ -198,6 +227,7 @@ Status Autosave::writeNow(const Document& document) noexcept {
 Status Autosave::writeHere(const Document& document) {
   static_cast<void>(wait());  // what it has to tell is older than this
   if (!document.dirty()) return Done{};
+  if (m_file.empty()) claimFile();
   if (m_file.empty()) return noFolder(m_folder);
   const Status status = writeSideFile(m_file, document.committed(), originalOf(document));
   if (!status) return status;

@@ -45,6 +45,7 @@ class Autosave {
   Status wait();
   /// The editor closes in order: the side file goes.
   void finish();
+  [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
   [[nodiscard]] const std::filesystem::path& sideFile() const { return m_file; }
 
  private:
@@ -53,6 +54,7 @@ class Autosave {
     std::filesystem::path rescuedFrom;  // of the project that is written
     bool stale = false;                 // the user's own file became newer meanwhile
   };
+  void claimFile();
   void begin(const Document& document);
   void keepReserve();
   Status writeHere(const Document& document);
@@ -60,7 +62,9 @@ class Autosave {
   void removeFile();
   void dropRescued(const std::filesystem::path& rescued);
 
-  std::filesystem::path m_folder, m_file, m_lockFile;
+  std::filesystem::path m_folder;
+  std::string m_session;
+  std::filesystem::path m_file, m_lockFile;  // empty where none could be made yet
   int m_lock = -1;
   Writing m_writing;
   std::filesystem::path m_seenRescue, m_dropped;  // rescued side files: met, and removed

@@ -82,11 +82,14 @@ void Document::startNew(Project start) {
   m_outside = OutsideFiles::Refuse;
   m_outsideRefused = false;
   m_path.clear();
+  m_stamp = {};
   m_rescuedFrom.clear();
   committedChanged();
 }
 
 Status Document::open(const std::filesystem::path& path, OutsideFiles outside) {
+  // Taken before: a change while it is read counts as one after it.
+  const FileStamp stamp = stampOf(path);
   Result<LoadedProject> loaded = loadProject(path, outside);
   if (!loaded) return loaded.error();
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
@@ -96,9 +99,16 @@ Status Document::open(const std::filesystem::path& path, OutsideFiles outside) {
   endPreview();
   m_history = History(std::move(loaded->project));
   m_path = path;
+  m_stamp = stamp;
   m_rescuedFrom.clear();
   committedChanged();
   return Done{};
+}
+
+bool Document::changedOnDisk() const {
+  if (m_path.empty()) return false;
+  const FileStamp now = stampOf(m_path);
+  return now.exists && now != m_stamp;
 }
 
 Status Document::save() {
@@ -123,6 +133,7 @@ Status Document::saveAs(const std::filesystem::path& path) {
   const Status status = saveProject(committed(), path);
   if (!status) return status;
   m_path = path;
+  m_stamp = stampOf(path);
   m_history.markSaved();
   touched();
   return status;
@@ -134,6 +145,7 @@ void Document::recover(Project project, std::filesystem::path path, std::filesys
   m_history = History(std::move(project));
   m_history.markUnsaved();
   m_path = std::move(path);
+  m_stamp = stampOf(m_path);
   m_rescuedFrom = std::move(sideFile);
   m_outside = outside;
   m_outsideRefused = false;

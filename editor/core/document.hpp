@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "editor/core/file_stamp.hpp"
 #include "editor/core/history.hpp"
 #include "engine/core/result.hpp"
 #include "engine/io/file_access.hpp"
@@ -63,6 +64,9 @@ class Document {
   [[nodiscard]] bool outsideRefused() const { return m_outsideRefused; }
   /// Files that the project as it was opened names and that couldn't be read; it is open all the same.
   [[nodiscard]] const std::vector<Problem>& missing() const { return m_missing; }
+  /// Another program wrote the file, or put another in its place, since it was read or saved here: saving would replace
+  /// what this document never saw. A file that is gone has not changed.
+  [[nodiscard]] bool changedOnDisk() const;
   /// Fails with Usage where there is no path. On failure the old file is intact, the project still dirty.
   Status save();
   /// Takes the path over only on success. Into another folder the project's files go along.
@@ -83,6 +87,7 @@ class Document {
   Project m_preview;
   bool m_previewing = false;
   std::filesystem::path m_path, m_rescuedFrom;
+  FileStamp m_stamp;  // of the file as it was read or saved
   std::vector<Problem> m_missing;
   OutsideFiles m_outside = OutsideFiles::Refuse;
   bool m_outsideRefused = false;

@@ -36,7 +36,7 @@ void DocumentFlow::requestSave() {
   if (m_document.path().empty()) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(m_document.path());
+    saveToOwnFile();
   }
 }
 
@@ -108,7 +108,7 @@ void DocumentFlow::answerSaveChanges(SaveAnswer answer) {
   } else if (m_document.path().empty()) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(m_document.path());
+    saveToOwnFile();
   }
 }
 
@@ -125,8 +125,10 @@ void DocumentFlow::answerPath(fs::path path) {
     m_path = std::move(path);
     if (other && fs::exists(m_path, ignored)) {
       m_prompt = Prompt::ConfirmOverwrite;
-    } else {
+    } else if (other) {
       saveTo(m_path);
+    } else {
+      saveToOwnFile();
     }
   }
 }
@@ -137,6 +139,17 @@ void DocumentFlow::answerOverwrite(bool overwrite) {
     saveTo(m_path);
   } else {
     m_prompt = Prompt::ChooseSavePath;
+  }
+}
+
+void DocumentFlow::answerChanged(ChangedAnswer answer) {
+  if (m_prompt != Prompt::ConfirmChanged) return;
+  if (answer == ChangedAnswer::Replace) {
+    saveTo(m_document.path());
+  } else if (answer == ChangedAnswer::AnotherName) {
+    m_prompt = Prompt::ChooseSavePath;
+  } else {
+    cancel();
   }
 }
 
@@ -163,6 +176,15 @@ void DocumentFlow::cancel() {
   m_then = Then::Nothing;
   m_openPath.reset();
   m_start = Project{};
+}
+
+/// Over a file that is no longer the one that was read only when that was asked for.
+void DocumentFlow::saveToOwnFile() {
+  if (m_document.changedOnDisk()) {
+    m_prompt = Prompt::ConfirmChanged;
+  } else {
+    saveTo(m_document.path());
+  }
 }
 
 void DocumentFlow::saveTo(const fs::path& target) {

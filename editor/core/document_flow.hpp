@@ -17,10 +17,12 @@ enum class Prompt {
   ChooseOpenPath,    ///< a file to open: answerPath
   ChooseSavePath,    ///< where to save: answerPath
   ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
+  ConfirmChanged,    ///< another program changed the document's file: answerChanged
   StopWork,          ///< quitting would stop workUnderWay(): answerStopWork
   OutsideFiles,      ///< what was opened names files outside its folder, see Document::missing: answerOutside
 };
 enum class SaveAnswer { Save, DontSave, Cancel };
+enum class ChangedAnswer { Replace, AnotherName, Cancel };
 
 class DocumentFlow {
  public:
@@ -40,9 +42,10 @@ class DocumentFlow {
   /// Adds ".wind.json" to a save path that doesn't end in ".json".
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
-  void answerStopWork(bool stop);        ///< false: nothing happens
-  void answerOutside(bool allow);        ///< true: remembered by onAllowOutside, and the project is opened again
-  void cancel();                         ///< from any prompt; nothing happens
+  void answerChanged(ChangedAnswer answer);
+  void answerStopWork(bool stop);  ///< false: nothing happens
+  void answerOutside(bool allow);  ///< true: remembered by onAllowOutside, and the project is opened again
+  void cancel();                   ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
   [[nodiscard]] bool quitConfirmed() const { return m_quit; }
@@ -67,6 +70,7 @@ class DocumentFlow {
   void askToSave();
   void proceed();
   void fail(const Error& error);
+  void saveToOwnFile();
   void saveTo(const std::filesystem::path& path);
 
   Document& m_document;

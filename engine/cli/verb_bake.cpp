@@ -8,6 +8,7 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
@@ -260,13 +261,13 @@ VerbAction makeBakeVerb(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--from", options->from, "Moment of the first frame, s (default: the start)")
       ->type_name("S")
-      ->check(CLI::Range(0.0, kMaxSeconds));
+      ->check(numberFrom(0.0, kMaxSeconds));
   auto* seconds = app.add_option("--seconds", options->seconds, "Length of the recording, s (default 2)")
                       ->type_name("S")
-                      ->check(CLI::Range(1e-6, kMaxSeconds));
+                      ->check(numberFrom(1e-6, kMaxSeconds));
   app.add_option("--fps", options->fps, "Frames a second (default 30)")
       ->type_name("N")
-      ->check(CLI::Range(0.01, 10000.0));
+      ->check(numberFrom(0.01, 10000.0));
   app.add_option("--steps", options->steps,
                  "Count in solver steps: write the one field N steps after --from, or with --fps all frames up to it")
       ->type_name("N")
@@ -284,7 +285,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--warm-up", options->warmUp,
                  "Let the wind blow only so long before --from, instead of from the project's start, s")
       ->type_name("S")
-      ->check(CLI::Range(0.0, kMaxSeconds));
+      ->check(numberFrom(0.0, kMaxSeconds));
   app.add_option("--space", options->space,
                  "What images hold: world velocity, or uv: texture coordinates a second for panning shaders")
       ->check(CLI::IsMember({"world", "uv"}))
@@ -299,21 +300,21 @@ VerbAction makeBakeVerb(CLI::App& app) {
       ->capture_default_str();
   app.add_option("--top", options->profile.top, "Height of volumes, m")
       ->type_name("M")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(numberFrom(0.1, 1000.0))
       ->capture_default_str();
   app.add_option("--reference-height", options->profile.reference,
                  "Height at which the wind is as the field says; below and above it follows the logarithmic law, m")
       ->type_name("M")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(numberFrom(0.01, 1000.0))
       ->capture_default_str();
   app.add_option("--roughness", options->profile.roughness, "Roughness length of the ground, m (grass 0.03, forest 1)")
       ->type_name("M")
-      ->check(CLI::Range(1e-4, 10.0))
+      ->check(numberFrom(1e-4, 10.0))
       ->capture_default_str();
   addRunOptions(app, *options);
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
-      ->check(CLI::Range(1e-3, 1e4));
+      ->check(numberFrom(1e-3, 1e4));
   addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   std::string footer = "Formats, each listed with its checksum in manifest.json:\n";

@@ -7,6 +7,7 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/project_option.hpp"
+#include "engine/cli/number_range.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
@@ -316,7 +317,7 @@ VerbAction makeInfoVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
   app.add_option("--fps", options->fps, "Frames a second to count the exports with")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(numberFrom(0.1, 1000.0))
       ->capture_default_str();
   addProjectOptions(app, *options);
   addCommonOptions(app, *options);

@@ -7,6 +7,7 @@
 #include "engine/cli/bezier_options.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
@@ -226,13 +227,13 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->required();
   app.add_option("--time", options->time, "Moment of the (first) picture in seconds")
       ->type_name("S")
-      ->check(CLI::Range(0.0, kMaxSeconds));
+      ->check(numberFrom(0.0, kMaxSeconds));
   app.add_option("--frames", options->frames, "How many pictures")
       ->type_name("N")
       ->check(CLI::Range(1, kMaxRenderFrames));
   app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")
       ->type_name("N")
-      ->check(CLI::Range(0.01, 1000.0));
+      ->check(numberFrom(0.01, 1000.0));
   app.add_option("--size", options->size, "Pixels (default 1280x720)")->type_name("WxH");
   app.add_option("--camera", options->camera,
                  "Camera of the project, or above (default: the first, else one that shows the field)")
@@ -250,10 +251,10 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->check(CLI::IsMember({"arc", "quadratic", "inertial"}));
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
-      ->check(CLI::Range(0.0, 5000.0));
+      ->check(numberFrom(0.0, 5000.0));
   app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")
       ->type_name("D")
-      ->check(CLI::Range(0.02, 1.0));
+      ->check(numberFrom(0.02, 1.0));
   app.add_flag("--full-quality", options->fullQuality, "Everything as fine as it gets, however long it takes");
   app.add_flag("--every-blade", options->everyBlade,
                "Full quality, and every blade in sight drawn, however small: needs much memory");

@@ -6,6 +6,7 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
@@ -151,7 +152,7 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--time", options->time, "Moment in seconds, rounded to whole time steps")
       ->type_name("T")
-      ->check(CLI::Range(0.0, kMaxSeconds))
+      ->check(numberFrom(0.0, kMaxSeconds))
       ->required();
   addRunOptions(app, *options);
   addProjectOptions(app, *options);

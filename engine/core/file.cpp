@@ -25,32 +25,6 @@ struct Descriptor {
   }
 };
 
-int writeAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return 0;
-}
-
-/// Makes a finished rename survive a power loss; a file system that can't is not a failure.
-void syncFolder(const fs::path& folder) {
-  const Descriptor d{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-  if (d.fd >= 0) ::fsync(d.fd);
-}
-
-/// Keeps the old file as PATH.bak without a moment in which PATH is missing.
-void keepBackup(const fs::path& path) {
-  const fs::path backup = path.string() + ".bak";
-  const fs::path fresh = path.string() + ".bak.tmp";
-  ::unlink(fresh.c_str());
-  std::error_code ignored;
-  if (::link(path.c_str(), fresh.c_str()) != 0) fs::copy_file(path, fresh, ignored);
-  ::rename(fresh.c_str(), backup.c_str());
-}
-
 }  // namespace
 
 Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
@@ -80,31 +54,6 @@ Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
     if (bytes.size() + static_cast<std::size_t>(n) > limitBytes) return tooLarge();
     bytes.append(chunk, static_cast<std::size_t>(n));
   }
-}
-
-Status writeFileAtomically(const fs::path& path, std::string_view bytes, Backup backup) {
-  // A link is followed, so that saving through one changes the file it names.
-  std::error_code ec;
-  const fs::path target = fs::is_symlink(path, ec) ? fs::weakly_canonical(path, ec) : path;
-  std::string temporary = target.string() + ".XXXXXX";
-  int failure = 0;
-  {
-    const Descriptor d{::mkostemp(temporary.data(), O_CLOEXEC)};
-    if (d.fd < 0) return ioError(path, "write", errno);
-    struct stat old {};
-    const bool exists = ::stat(target.c_str(), &old) == 0;
-    if (::fchmod(d.fd, exists ? old.st_mode & 07777 : newFileMode()) != 0) failure = errno;
-    if (failure == 0) failure = writeAll(d.fd, bytes);
-    if (failure == 0 && ::fsync(d.fd) != 0) failure = errno;
-  }
-  if (failure == 0 && backup == Backup::KeepOne && ::access(target.c_str(), F_OK) == 0) keepBackup(target);
-  if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
-  if (failure != 0) {
-    ::unlink(temporary.c_str());
-    return ioError(path, "write", failure);
-  }
-  syncFolder(target.has_parent_path() ? target.parent_path() : fs::path("."));
-  return Done{};
 }
 
 unsigned newFileMode() {

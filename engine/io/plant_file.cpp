@@ -176,6 +176,8 @@ class PlantReader {
     for (std::size_t i = first; i < vertices.size(); ++i) {
       glm::vec2 uv(0.5f);
       if (material.texCoord >= 0) uv = glm::vec2(material.transform * glm::vec3(glm::vec2(values[i - first]), 1.0f));
+      if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+        return refuse(m_file, "has a texture that is moved or scaled beyond all measure");
       constexpr float kSlack = 0.01f;
       if (!material.alone && (std::min(uv.x, uv.y) < -kSlack || std::max(uv.x, uv.y) > 1.0f + kSlack)) {
         return refuse(m_file, "has several textures and repeats one of them: use one texture, or coordinates in 0..1");

@@ -199,7 +199,7 @@ class Packer {
       const tinygltf::Material& material = m_model.materials[static_cast<std::size_t>(index)];
       const auto& factor = material.pbrMetallicRoughness.baseColorFactor;
       for (std::size_t c = 0; c < 4 && c < factor.size(); ++c)
-        made.colour[static_cast<int>(c)] = static_cast<float>(factor[c]);
+        made.colour[static_cast<int>(c)] = static_cast<float>(std::clamp(factor[c], 0.0, 1.0));  // as glTF has it
       const bool opaque = material.alphaMode != "MASK" && material.alphaMode != "BLEND";
       takeCutoff(material, made);
       const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;

@@ -118,8 +118,8 @@ class Projects(Case):
                 ("/graph/signals/0/keys", "10001", {"graph": {"points": points(1), "signals": [
                     {"root": 1, "kind": "curve", "keys": keys}]}}),
                 ("/obstacles", "holds 10001", {"obstacles": records(10_001)}),
-                ("/obstacles/0/points", "from 3 to 256 corners",
-                 {"obstacles": [{"id": 1, "shape": "polygon", "points": corner}]}),
+                ("/obstacles/0/points", "an array of 3 to 256 corners",
+                 {"obstacles": [{"id": 1, "centre": [0, 0], "shape": "polygon", "points": corner}]}),
                 ("/probes", "holds 1001", {"probes": records(1001)}),
                 ("/cameras", "holds 1001", {"cameras": records(1001)}),
                 ("/species", "holds 17", {"species": records(17)}),
@@ -178,7 +178,7 @@ class Assets(Case):
             for _ in range(70):
                 deep = [deep]
             self.check("m.glb", glb(*triangles(1, extras=deep)), "nested deeper than 64 levels", **parts)
-            self.check("m.glb", glb(*triangles(1, extras=[0] * 2_000_001)), "holds more than 2000000 values", **parts)
+            self.check("m.glb", glb(*triangles(1, extras=[0] * 1_000_001)), "holds more than 1000000 values", **parts)
         self.check("m.glb", glb(*triangles(20_001)), "has more than", **plant)
         placed, data = triangles(1)
         placed["meshes"][0]["primitives"] *= 1000

@@ -12,7 +12,9 @@ namespace {
 
 BakePart partOf(int first, int last) {
   BakePart part{first, last, 0.1f * static_cast<float>(last), {}, {{}}};
-  for (int n = first; n <= last; ++n) part.groups[0].push_back({{"path", std::to_string(n)}, {"frame", n}});
+  for (int n = first; n <= last; ++n) {
+    part.groups[0].push_back({{"path", std::to_string(n)}, {"role", "field"}, {"encoding", "float16"}, {"frame", n}});
+  }
   return part;
 }
 
@@ -68,23 +70,29 @@ TEST(BakeParts, AreReadBackAsTheyWereNoted) {
   EXPECT_EQ(parts[1].groups, part.groups);
 }
 
-TEST(BakeParts, NotesThatNameOtherPlacesOrNoFramesAreNone) {
+TEST(BakeParts, AreMissingWhereTheirNoteNamesFilesElsewhereOrNonsense) {
   const TemporaryFolder folder;
-  ASSERT_TRUE(makeFolder(folder.path() / "parts"));
-  for (const char* name : {"stranger", "parts/0"}) ASSERT_TRUE(writeFileAtomically(folder.path() / name, "a file"));
-  const std::string rest = R"("fastest": 1, "seam": 0, "step": 0, "groups": [[{"path": )";
-  for (const auto& [range, path] : {std::pair(R"("first": 0, "last": 0, )", R"("../stranger"}]]})"),
-                                    {R"("first": 0, "last": 0, )", R"("0", "frame": "one"}]]})"},
-                                    {R"("first": 0, "last": 0, )", R"(7}]]})"},
-                                    {R"("first": -1, "last": 0, )", R"("0"}]]})"},
-                                    {R"("first": 2, "last": 1, )", R"("0"}]]})"},
-                                    {R"("first": 0, "last": 2147483647, )", R"("0"}]]})"}}) {
-    ASSERT_TRUE(writeFileAtomically(folder.path() / "parts" / "part-0-0.json", "{" + std::string(range) + rest + path));
-    EXPECT_TRUE(readParts(folder.path() / "parts").empty()) << range << path;
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "0", "a frame"));
+  const std::string entry = R"({"path": "0", "role": "field", "encoding": "float16", "frame": 0})";
+  const auto partsWith = [&](const std::string& numbers, const std::string& group) {
+    const std::string note = "{" + numbers + R"(, "fastest": 1, "seam": 0, "step": 0, "groups": )" + group + "}";
+    EXPECT_TRUE(writeFileAtomically(folder.path() / "part-0-0.json", note));
+    return readParts(folder.path()).size();
+  };
+  const std::string numbers = R"("first": 0, "last": 0)";
+  EXPECT_EQ(partsWith(numbers, "[[" + entry + "]]"), 1u);
+  for (const char* bad :
+       {R"("first": -1, "last": 0)", R"("first": 0, "last": 1e300)", R"("first": 0, "last": 2147483647)",
+        R"("first": 0.5, "last": 1)", R"("first": 1, "last": 0)", R"("first": "0", "last": 0)"}) {
+    EXPECT_EQ(partsWith(bad, "[[" + entry + "]]"), 0u) << bad;
   }
-  ASSERT_TRUE(writeFileAtomically(folder.path() / "parts" / "part-0-0.json",
-                                  R"({"first": 0, "last": 0, )" + rest + R"("0", "frame": 0}]]})"));
-  EXPECT_EQ(readParts(folder.path() / "parts").size(), 1u);
+  for (const char* bad : {R"([[{"path": "../0", "role": "field", "encoding": "float16"}]])",
+                          R"([[{"path": "/etc/hostname", "role": "a", "encoding": "b"}]])", R"([[{"path": "0"}]])",
+                          R"([["0"]])", R"([{"path": "0"}])", R"("groups")",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "frame": "first"}]])"}) {
+    EXPECT_EQ(partsWith(numbers, bad), 0u) << bad;
+  }
+  EXPECT_EQ(partsWith(numbers, std::string(100'000, '[')), 0u) << "nested too deep";
 }
 
 TEST(Seam, IsTheStepFromTheLastFrameToTheFirst) {

@@ -10,9 +10,11 @@ namespace {
 
 constexpr long kNever = -1;
 std::atomic<long> g_left = kNever, g_wishes = 0, g_alive = 0;
+std::atomic<std::size_t> g_least = 0;
 std::atomic<bool> g_failed = false;
 
-bool fails() {
+bool fails(std::size_t bytes) {
+  if (bytes < g_least) return false;
   ++g_wishes;
   long left = g_left.load();
   while (left != kNever) {
@@ -27,7 +29,7 @@ bool fails() {
 }
 
 void* take(std::size_t bytes, std::size_t alignment) noexcept {
-  if (fails()) return nullptr;
+  if (fails(bytes)) return nullptr;
   const std::size_t whole = (bytes + alignment - 1) / alignment * alignment;
   void* memory = alignment <= alignof(std::max_align_t) ? std::malloc(bytes == 0 ? 1 : bytes)
                                                         : std::aligned_alloc(alignment, whole);
@@ -99,8 +101,9 @@ void operator delete[](void* memory, const std::nothrow_t&) noexcept {
 
 namespace windloom::testing {
 
-void failAfter(long count) {
+void failAfter(long count, std::size_t leastBytes) {
   g_failed = false;
+  g_least = leastBytes;
   g_wishes = 0;
   g_left = count;
 }
@@ -118,12 +121,13 @@ long alive() {
   return g_alive;
 }
 
-long failEach(const std::function<void()>& work, const std::function<void()>& after, long stride) {
+long failEach(const std::function<void()>& work, const std::function<void()>& after, long stride,
+              std::size_t leastBytes) {
   work();  // what is made once for the program, such as tables
   long runs = 0;
   for (long n = 0;; n += stride) {
     const long before = alive();
-    failAfter(n);
+    failAfter(n, leastBytes);
     try {
       work();
     } catch (const std::bad_alloc&) {
