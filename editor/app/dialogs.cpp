@@ -1,7 +1,9 @@
 #include "editor/app/dialogs.hpp"
 
+#include <cstdlib>
 #include <initializer_list>
 
+#include "editor/core/kept_files.hpp"
 #include "editor/widgets/icons.hpp"
 #include "engine/core/log.hpp"
 
@@ -187,6 +189,9 @@ void Dialogs::drawRescue() {
 }
 
 std::filesystem::path Dialogs::startFolder() const {
+  const bool saving = m_workspace.flow.prompt() == Prompt::ChooseSavePath;
+  if (const char* home = std::getenv("HOME"); saving && home && !whyKept(m_workspace.document.path()).empty())
+    return std::filesystem::path(home) / "";
   if (!m_workspace.document.path().empty()) return m_workspace.document.path().parent_path() / "";
   const auto& recent = m_workspace.preferences.recentFiles;
   if (!recent.empty()) return std::filesystem::path(recent.front()).parent_path() / "";
@@ -207,7 +212,10 @@ void Dialogs::followFileChoice() {
                                                  : m_workspace.document.path().filename().string();
     m_browser.open(opening ? FileBrowser::Purpose::Open : FileBrowser::Purpose::Save,
                    opening ? "Open a project" : "Save the project as", startFolder() / name, ".wind.json");
+    m_why = opening ? std::string() : whyKept(m_workspace.document.path());
+    m_browser.explain(m_why);
   }
+  look().map.fact("dialog.text", m_why);
   const auto path = m_browser.draw();
   if (path)
     m_workspace.flow.answerPath(*path);

@@ -36,6 +36,7 @@ class Dialogs {
 
   Workspace& m_workspace;
   FileBrowser m_browser;
+  std::string m_why;  // the project can't be saved where it is
   std::deque<std::string> m_errors;
   std::vector<Rescue> m_rescues;
   std::vector<std::string> m_rescueChanges;

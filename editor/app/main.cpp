@@ -6,6 +6,7 @@
 #include "editor/app/window.hpp"
 #include "editor/core/log_file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/memory_reserve.hpp"
 #include "engine/core/process.hpp"
 
 namespace {
@@ -13,6 +14,7 @@ namespace {
 int run(int argc, char** argv) {
   using namespace windloom;
   prepareProcess();
+  keepMemoryReserve();
   int exitStatus = 0;
   const auto line = editor::parseCommandLine(argc, argv, exitStatus);
   if (!line) return exitStatus;

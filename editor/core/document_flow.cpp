@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "editor/core/kept_files.hpp"
+
 namespace windloom::editor {
 namespace fs = std::filesystem;
 namespace {
@@ -12,6 +14,11 @@ fs::path withExtension(fs::path path) {
   if (path.extension() == ".json") return path;
   path += path.extension() == ".wind" ? ".json" : ".wind.json";
   return path;
+}
+
+/// It has no file, or one that it isn't to be saved to.
+bool needsPath(const Document& document) {
+  return document.path().empty() || !whyKept(document.path()).empty();
 }
 
 }  // namespace
@@ -33,7 +40,7 @@ void DocumentFlow::requestOpen(fs::path path) {
 
 void DocumentFlow::requestSave() {
   m_then = Then::Nothing;
-  if (m_document.path().empty()) {
+  if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
     saveToOwnFile();
@@ -88,7 +95,9 @@ void DocumentFlow::proceed() {
     }
     if (onReplaced) onReplaced();
     if (onFileUsed) onFileUsed(path);
-    if (onDone) onDone("Opened " + path.filename().string());
+    const std::string why = whyKept(path);
+    if (onDone)
+      onDone("Opened " + path.filename().string() + (why.empty() ? "" : ". Saving will ask for a place: " + why));
     if (m_document.outsideRefused()) {
       m_prompt = Prompt::OutsideFiles;
     } else if (!m_document.missing().empty()) {
@@ -105,7 +114,7 @@ void DocumentFlow::answerSaveChanges(SaveAnswer answer) {
     cancel();
   } else if (answer == SaveAnswer::DontSave) {
     proceed();
-  } else if (m_document.path().empty()) {
+  } else if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
     saveToOwnFile();
@@ -120,6 +129,10 @@ void DocumentFlow::answerPath(fs::path path) {
     proceed();
   } else if (m_prompt == Prompt::ChooseSavePath) {
     path = withExtension(std::move(path));
+    if (const std::string why = whyKept(path); !why.empty()) {
+      fail(makeError(ErrorKind::BadInput, path.string(), {}, "can't be saved there: " + why));
+      return;  // the question stays
+    }
     std::error_code ignored;
     const bool other = path != m_document.path();
     m_path = std::move(path);

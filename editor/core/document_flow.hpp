@@ -32,7 +32,7 @@ class DocumentFlow {
   void requestNew(Project start = {});           ///< `start`: a template
   void requestOpen();                            ///< asks for the path
   void requestOpen(std::filesystem::path path);  ///< recent file, drop, command line
-  void requestSave();                            ///< asks for a path where there is none
+  void requestSave();                            ///< asks for a path where there is none or a kept one (kept_files.hpp)
   void requestSaveAs();
   void requestQuit();
 

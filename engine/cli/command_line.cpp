@@ -19,25 +19,35 @@ int usageError(const CLI::App& app, const CLI::ParseError& error, const CommonOp
 
 }  // namespace
 
-std::optional<VerbAction> parseCommandLine(int argc, const char* const* argv, int& exitStatus) {
-  CLI::App app("Windloom: wind drawn as trees of arrows, seen in grass, exported for games.", "windloom");
-  app.set_version_flag("--version", "windloom " WINDLOOM_VERSION);
-  app.footer(
+const char* programVersion() {
+  return WINDLOOM_VERSION;
+}
+
+std::unique_ptr<CLI::App> makeApp(VerbAction& chosen) {
+  auto app = std::make_unique<CLI::App>("Windloom: wind drawn as trees of arrows, seen in grass, exported for games.",
+                                        "windloom");
+  app->set_version_flag("--version", std::string("windloom ") + programVersion());
+  app->footer(
       "'windloom VERB --help' explains a verb. Exit status: 0 done; 1 the input is wrong; 2 wrong usage; "
       "3 this machine can't.");
-  app.require_subcommand(1);
-  VerbAction action;
+  app->require_subcommand(1);
   for (const Verb& verb : verbs()) {
-    CLI::App* command = app.add_subcommand(verb.name, verb.summary);
+    CLI::App* command = app->add_subcommand(verb.name, verb.summary);
     if (verb.kind == VerbKind::Developer) command->group("");
-    command->final_callback([&action, todo = verb.make(*command)] { action = todo; });
+    command->final_callback([&chosen, todo = verb.make(*command)] { chosen = todo; });
   }
+  return app;
+}
+
+std::optional<VerbAction> parseCommandLine(int argc, const char* const* argv, int& exitStatus) {
+  VerbAction action;
+  const std::unique_ptr<CLI::App> app = makeApp(action);
   CommonOptions options;
   for (int i = 1; i < argc; ++i) options.json = options.json || std::strcmp(argv[i], "--json") == 0;
   try {
-    app.parse(argc, argv);
+    app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    exitStatus = usageError(app, error, options);
+    exitStatus = usageError(*app, error, options);
     return std::nullopt;
   }
   return action;

@@ -10,6 +10,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/number_range.hpp"
 #include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
@@ -36,6 +37,12 @@ constexpr double kDefaultSeconds = 2, kDefaultFps = 30;
 std::string namesOf(const auto& list) {
   std::string names;
   for (const auto& entry : list) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+std::vector<std::string> listOf(const auto& list) {
+  std::vector<std::string> names;
+  for (const auto& entry : list) names.emplace_back(entry.name);
   return names;
 }
 
@@ -251,14 +258,16 @@ VerbAction makeBakeVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "Project file (NAME.wind.json)");
   app.add_option("--out", options->out, "Folder for the files, made if needed")->type_name("DIR");
-  app.add_option("--format", options->formats, "What to write, separated by commas: " + namesOf(writerKinds()))
-      ->type_name("F[,F...]")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  offer(app.add_option("--format", options->formats, "What to write, separated by commas: " + namesOf(writerKinds()))
+            ->type_name("F[,F...]")
+            ->delimiter(',')
+            ->allow_extra_args(false),
+        listOf(writerKinds()));
   app.add_flag("--list-formats", options->listFormats, "List the formats and write nothing");
-  app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
-      ->type_name("NAME")
-      ->capture_default_str();
+  offer(app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
+            ->type_name("NAME")
+            ->capture_default_str(),
+        listOf(presets()));
   app.add_option("--from", options->from, "Moment of the first frame, s (default: the start)")
       ->type_name("S")
       ->check(numberFrom(0.0, kMaxSeconds));

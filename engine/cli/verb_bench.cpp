@@ -5,6 +5,7 @@
 
 #include "engine/cli/bench.hpp"
 #include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
@@ -139,7 +140,9 @@ int runBench(const Options& options) {
 
 VerbAction makeBenchVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("scene", options->scenes, "What to measure: " + sceneNames() + " (default: all)");
+  std::vector<std::string> names;
+  for (const BenchScene& scene : benchScenes()) names.emplace_back(scene.name);
+  offer(app.add_option("scene", options->scenes, "What to measure: " + sceneNames() + " (default: all)"), names);
   app.add_option("--json", options->jsonFile,
                  "Also write all numbers, the machine and the settings to FILE; '-' or no FILE "
                  "writes them to standard output instead of the tables")

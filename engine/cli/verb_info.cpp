@@ -6,8 +6,8 @@
 
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
-#include "engine/cli/project_option.hpp"
 #include "engine/cli/number_range.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"

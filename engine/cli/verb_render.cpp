@@ -9,6 +9,7 @@
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/number_range.hpp"
 #include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
@@ -238,13 +239,18 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_option("--camera", options->camera,
                  "Camera of the project, or above (default: the first, else one that shows the field)")
       ->type_name("NAME");
-  app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
-      ->type_name("NAME[,NAME]")
-      ->delimiter(',');
+  std::vector<std::string> overlays{"none"};
+  for (const OverlayKind& kind : overlayKinds()) overlays.emplace_back(kind.name);
+  offer(app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
+            ->type_name("NAME[,NAME]")
+            ->delimiter(','),
+        overlays);
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, bezier, shell, none")
-      ->type_name("KIND");
+  offer(app.add_option("--grass", options->grass,
+                       "Kind of grass instead of the project's: instanced, bezier, shell, none")
+            ->type_name("KIND"),
+        {"instanced", "bezier", "shell", "none"});
   app.add_option("--deformation", options->deformation,
                  "How blades bend instead of the project's: arc, quadratic, inertial")
       ->type_name("NAME")

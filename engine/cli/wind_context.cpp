@@ -2,6 +2,7 @@
 
 #include "engine/cli/number_range.hpp"
 #include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/session/solver_scheme.hpp"
 
 namespace windloom::cli {
@@ -21,8 +22,11 @@ std::string solverNames() {
 }  // namespace
 
 void addSolverOption(CLI::App& app, std::string& name) {
-  app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
-      ->type_name("NAME");
+  std::vector<std::string> names;
+  for (const SolverPreset& preset : solverPresets()) names.emplace_back(preset.name);
+  offer(app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
+            ->type_name("NAME"),
+        names);
 }
 
 void addRunOptions(CLI::App& app, RunOptions& options) {

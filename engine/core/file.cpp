@@ -75,10 +75,10 @@ Status makeFolder(const fs::path& path) {
 Result<fs::path> findDataFolder(std::string_view name) {
   std::vector<fs::path> tried;
   if (const char* given = std::getenv("WINDLOOM_DATA")) tried.emplace_back(fs::path(given) / name);
+  // No path of the machine that built the program: a build folder is laid out as a prefix, with links to the sources.
   std::error_code ec;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec);
   if (!ec) tried.emplace_back(program.parent_path().parent_path() / "share" / "windloom" / name);
-  tried.emplace_back(fs::path(WINDLOOM_SOURCE_DIR) / name);
   std::string list;
   for (const fs::path& folder : tried) {
     if (fs::is_directory(folder, ec)) return folder;

@@ -28,9 +28,9 @@ unsigned newFileMode();
 /// Makes a folder and its parents. Fails with Machine.
 Status makeFolder(const std::filesystem::path& path);
 
-/// Where shaders and sample projects lie: $WINDLOOM_DATA if set, else beside the installed program
-/// (PREFIX/share/windloom), else the source tree the program was built from. `name` is "shaders" or
-/// "projects". Fails with Machine, naming the folders that were tried.
+/// Where the program's files lie: in $WINDLOOM_DATA if set, else in ../share/windloom seen from the program's own
+/// folder (links to a program are followed), which a build folder has as well. `name` is "shaders", "projects" or
+/// "icons". Fails with Machine, naming the folders that were tried.
 Result<std::filesystem::path> findDataFolder(std::string_view name);
 
 }  // namespace windloom

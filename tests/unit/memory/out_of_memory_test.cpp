@@ -80,8 +80,7 @@ TEST(OutOfMemory, IsAnErrorWhereItIsTurnedIntoOne) {
 
 TEST(OutOfMemory, ReadingAProjectLeaksNothing) {
   const std::string text = writeProject(largeProject());
-  const long runs =
-      failEach([&] { static_cast<void>(parseProject(text, "large")); }, [] {}, 1, kLargeBytes);
+  const long runs = failEach([&] { static_cast<void>(parseProject(text, "large")); }, [] {}, 1, kLargeBytes);
   EXPECT_GT(runs, 5);
 }
 
