@@ -177,14 +177,14 @@ int App::run() {
   while (!m_exit) {
     if (m_lookChanged) applyLook();
     m_window->beginFrame(waitSeconds(), typingPending());
-    frame();
+    if (!tryFrame()) continue;
     if (m_window->closeRequested()) {
       m_window->keepOpen();
       m_workspace.flow.requestQuit();
     }
     if (m_workspace.flow.quitConfirmed()) m_exit = 0;
   }
-  m_autosave.finish();
+  if (m_troubledFrames == 0) m_autosave.finish();  // else the side file is what is left of the work
   writePreferences();
   return *m_exit;
 }

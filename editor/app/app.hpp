@@ -56,6 +56,8 @@ class App {
 
   [[nodiscard]] int writeKeys() const;
   void frame();
+  bool tryFrame();
+  void memoryEnded();
   void passKeys();
   void runAfterFields();
   void drawInterface();
@@ -101,6 +103,7 @@ class App {
   double m_idleSeconds = 0;  // since something last happened
   double m_windBefore = 0;   // time of the wind a frame ago
   int m_frames = 0;
+  int m_troubledFrames = 0;  // one after the other in which memory ended
   std::string m_title;
   std::optional<int> m_exit;
 };

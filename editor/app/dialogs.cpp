@@ -127,6 +127,22 @@ void Dialogs::drawStopWork() {
   ImGui::EndPopup();
 }
 
+void Dialogs::drawOutside() {
+  if (!beginBox("Files outside the project's folder", "outside")) return;
+  std::string files;
+  for (const Problem& problem : m_workspace.document.missing())
+    files += problem.pointer + ": " + problem.message + "\n";
+  look().map.fact("dialog.text", files);
+  wrapped(files);
+  wrapped(
+      "The project is shown without them, and keeps their names. A project can come from anyone: allow this only for "
+      "one that you trust. It is remembered for the folder " +
+      m_workspace.document.path().parent_path().string() + " and can be taken back in the File menu.");
+  const int chosen = buttonRow({"Leave them out", "Read them"}, 0);
+  if (chosen >= 0) m_workspace.flow.answerOutside(chosen == 1);
+  ImGui::EndPopup();
+}
+
 void Dialogs::drawRescue() {
   const Rescue& rescue = m_rescues.front();
   if (!beginBox("Unsaved work was found", "rescue")) return;
@@ -144,7 +160,10 @@ void Dialogs::drawRescue() {
   bool handled = false;
   switch (buttonRow({"Restore", "Discard", m_showChanges ? "Later" : "Show what changed"})) {
     case 0:
-      if (const Status status = restoreRescue(m_workspace.document, rescue); !status) showError(status.error().text());
+      if (const Status status =
+              restoreRescue(m_workspace.document, rescue, m_workspace.preferences.outsideFor(rescue.original));
+          !status)
+        showError(status.error().text());
       handled = true;
       break;
     case 1:
@@ -217,6 +236,8 @@ void Dialogs::draw() {
       return drawChanged();
     case Prompt::StopWork:
       return drawStopWork();
+    case Prompt::OutsideFiles:
+      return drawOutside();
     case Prompt::ChooseOpenPath:
     case Prompt::ChooseSavePath:
     case Prompt::None:

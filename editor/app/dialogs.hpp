@@ -30,6 +30,7 @@ class Dialogs {
   void drawRescue();
   void drawChanged();
   void drawStopWork();
+  void drawOutside();
   void followFileChoice();
   [[nodiscard]] std::filesystem::path startFolder() const;
 

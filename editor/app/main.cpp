@@ -1,13 +1,20 @@
+#include <cstdio>
+#include <new>
+
 #include "editor/app/app.hpp"
 #include "editor/app/user_folders.hpp"
 #include "editor/app/window.hpp"
 #include "editor/core/log_file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/memory_reserve.hpp"
 #include "engine/core/process.hpp"
 
-int main(int argc, char** argv) {
+namespace {
+
+int run(int argc, char** argv) {
   using namespace windloom;
   prepareProcess();
+  keepMemoryReserve();
   int exitStatus = 0;
   const auto line = editor::parseCommandLine(argc, argv, exitStatus);
   if (!line) return exitStatus;
@@ -24,4 +31,16 @@ int main(int argc, char** argv) {
   const int status = (*app)->run();
   file.add(LogLevel::Info, "ends with status " + std::to_string(status));
   return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    // At the start, or at the end when the work is kept aside already: see App::memoryEnded.
+    std::fputs("windloom-editor: there is not enough memory\n", stderr);
+    return 3;
+  }
 }

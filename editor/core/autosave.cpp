@@ -8,12 +8,14 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "engine/core/atomic_file.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/out_of_memory.hpp"
 #include "engine/io/assets.hpp"
 #include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
@@ -86,8 +88,7 @@ std::optional<std::string> textIn(const JsonDocument& json, const char* key) {
 }
 
 Result<SideFile> readSideFile(const fs::path& path) {
-  // Escaped as a text, a project takes more room than as a file.
-  const Result<std::string> bytes = readFile(path, 4 * kMaxProjectBytes);
+  const Result<std::string> bytes = readFile(path, kMaxRescueBytes);
   if (!bytes) return bytes.error();
   const Result<JsonDocument> parsed = parseJsonDocument(*bytes, path.string());
   const JsonDocument json = parsed ? *parsed : JsonDocument();
@@ -101,6 +102,7 @@ Result<SideFile> readSideFile(const fs::path& path) {
 }  // namespace
 
 Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)), m_session(std::move(session)) {
+  keepReserve();
   claimFile();
   clearLeftTemporaries(m_folder);
   clearLeftLocks(m_folder);
@@ -163,13 +165,27 @@ namespace {
 
 /// The worker: a project is a value, so edits meanwhile don't reach it.
 Status writeSideFile(const fs::path& file, const Project& project, const std::string& original) {
-  nlohmann::ordered_json json;
-  json["format"] = kFormat;
-  json["original"] = original;
-  json["savedAt"] = localTime();
-  json["project"] = writeProject(project);
-  return writeFileAtomically(file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  return orOutOfMemory("the autosave", [&]() -> Status {
+    nlohmann::ordered_json json;
+    json["format"] = kFormat;
+    json["original"] = original;
+    json["savedAt"] = localTime();
+    json["project"] = writeProject(project);
+    return writeFileAtomically(file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  });
 }
+
+std::string originalOf(const Document& document) {
+  std::error_code ignored;
+  return document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
+}
+
+Error noFolder(const fs::path& folder) {
+  return makeError(ErrorKind::Machine, folder.string(), {}, "can't autosave: no file can be made in this folder");
+}
+
+// Large projects have a few MB of text, which is held about three times over while it is written.
+constexpr std::size_t kReserveBytes = 16u << 20;
 
 }  // namespace
 
@@ -177,17 +193,50 @@ void Autosave::begin(const Document& document) {
   m_writing.rescuedFrom = document.rescuedFrom();
   m_writing.stale = false;
   if (m_file.empty()) claimFile();
-  if (m_file.empty()) {
-    std::promise<Status> failed;
-    failed.set_value(
-        makeError(ErrorKind::Machine, m_folder.string(), {}, "can't autosave: no file can be made in this folder"));
-    m_writing.done = failed.get_future();
-    return;
+  try {
+    if (!m_file.empty()) {
+      m_writing.done =
+          std::async(std::launch::async, writeSideFile, m_file, document.committed(), originalOf(document));
+      return;
+    }
+  } catch (const std::system_error&) {  // no thread can be had: written here then
   }
-  std::error_code ignored;
-  const std::string original =
-      document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
-  m_writing.done = std::async(std::launch::async, writeSideFile, m_file, document.committed(), original);
+  std::promise<Status> ended;
+  ended.set_value(m_file.empty() ? noFolder(m_folder)
+                                 : writeSideFile(m_file, document.committed(), originalOf(document)));
+  m_writing.done = ended.get_future();
+}
+
+/// Touched by nobody, it costs no memory until the system has to promise some.
+void Autosave::keepReserve() {
+  if (!m_reserve) m_reserve.reset(new (std::nothrow) char[kReserveBytes]);
+  if (m_lastWord.problems.empty()) m_lastWord = outOfMemory("the autosave");
+}
+
+Status Autosave::writeNow(const Document& document) noexcept {
+  m_reserve.reset();
+  try {
+    const Status status = orOutOfMemory("the autosave", [&] { return writeHere(document); });
+    keepReserve();
+    return status;
+  } catch (...) {
+    return std::move(m_lastWord);  // nothing at all can be had, not even a message
+  }
+}
+
+Status Autosave::writeHere(const Document& document) {
+  static_cast<void>(wait());  // what it has to tell is older than this
+  if (!document.dirty()) return Done{};
+  if (m_file.empty()) claimFile();
+  if (m_file.empty()) return noFolder(m_folder);
+  const Status status = writeSideFile(m_file, document.committed(), originalOf(document));
+  if (!status) return status;
+  m_exists = true;
+  m_writtenEdits = document.editCount();
+  m_firstEditAt.reset();
+  m_seenRescue = document.rescuedFrom();
+  dropRescued(document.rescuedFrom());
+  return status;
 }
 
 /// What a write that ended has to tell.
@@ -239,17 +288,18 @@ std::vector<Rescue> findRescues(const fs::path& folder) {
   return rescues;
 }
 
-Status restoreRescue(Document& document, const Rescue& rescue) {
+Status restoreRescue(Document& document, const Rescue& rescue, OutsideFiles outside) {
   const Result<SideFile> file = readSideFile(rescue.sideFile);
   if (!file) return file.error();
   Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
   if (!loaded) return loaded.error();
   if (!rescue.original.empty()) {
-    if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain)
+    if (const Status terrain = loadTerrain(loaded->project, rescue.original, outside); !terrain)
       logWarning(terrain.error().text());
-    if (const Status assets = loadAssets(loaded->project, rescue.original); !assets) logWarning(assets.error().text());
+    if (const Status assets = loadAssets(loaded->project, rescue.original, outside); !assets)
+      logWarning(assets.error().text());
   }
-  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
+  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile, outside);
   return Done{};
 }
 

@@ -4,18 +4,22 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "editor/core/document.hpp"
 #include "editor/core/project_changes.hpp"
+#include "engine/io/project_json.hpp"
 
 namespace windloom::editor {
 
 // A crash may cost at most 25 edits or 2 minutes: begun a little earlier, a write has its own time in that, too.
 inline constexpr std::uint64_t kAutosaveEdits = 20;
 inline constexpr double kAutosaveSeconds = 110;
+/// Of a side file. Escaped as a text, a project takes more room than as a file.
+inline constexpr std::uint64_t kMaxRescueBytes = 4 * kMaxProjectBytes;
 
 /// Writes side files into a folder of the app's choice, one for each running editor, on a thread of its own: a slow
 /// disk doesn't hold up a frame. A lock file beside it, held while this lives, tells other editors that its owner runs.
@@ -33,6 +37,10 @@ class Autosave {
   /// done, and so it does on a save. A write that failed (disk full) is told by the next tick, once; it is tried
   /// again after as many edits or as much time.
   Status tick(const Document& document, double nowSeconds);
+  /// Writes the side file on this thread, before it returns, whatever tick() would do: memory has ended, the screen is
+  /// lost, the program is about to end. To be called on the window's thread, at any time. Waits for a write under way,
+  /// gives memory back that was kept for this, and never throws. A document without changes needs none and is Done.
+  Status writeNow(const Document& document) noexcept;
   /// Waits for a write that is under way.
   Status wait();
   /// The editor closes in order: the side file goes.
@@ -48,6 +56,8 @@ class Autosave {
   };
   void claimFile();
   void begin(const Document& document);
+  void keepReserve();
+  Status writeHere(const Document& document);
   Status take();
   void removeFile();
   void dropRescued(const std::filesystem::path& rescued);
@@ -61,6 +71,8 @@ class Autosave {
   std::optional<std::uint64_t> m_writtenEdits;    // the document's count when it was last clean or written
   std::optional<double> m_firstEditAt;
   bool m_exists = false;
+  std::unique_ptr<char[]> m_reserve;  // given back when memory has ended, so that there is some to write with
+  Error m_lastWord;                   // what to say where there is not even memory for words
 };
 
 /// A side file that a crashed editor left.
@@ -73,7 +85,7 @@ struct Rescue {
 std::vector<Rescue> findRescues(const std::filesystem::path& folder);
 /// Takes it into the document (dirty). On failure the document stays. The side file stays until Autosave has
 /// written its own or the project is saved.
-Status restoreRescue(Document& document, const Rescue& rescue);
+Status restoreRescue(Document& document, const Rescue& rescue, OutsideFiles outside = OutsideFiles::Refuse);
 /// Removes the side file: the user doesn't want it.
 void discardRescue(const Rescue& rescue);
 /// What differs between the user's file and the side file, one line each; the reason where either can't be read.

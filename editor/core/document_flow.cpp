@@ -88,7 +88,7 @@ void DocumentFlow::proceed() {
     m_prompt = Prompt::ChooseOpenPath;
   } else if (then == Then::Open) {
     const fs::path path = *std::exchange(m_openPath, std::nullopt);
-    const Status status = m_document.open(path);
+    const Status status = m_document.open(path, outsideFor ? outsideFor(path) : OutsideFiles::Refuse);
     if (!status) {
       fail(status.error());
       return;
@@ -98,7 +98,9 @@ void DocumentFlow::proceed() {
     const std::string why = whyKept(path);
     if (onDone)
       onDone("Opened " + path.filename().string() + (why.empty() ? "" : ". Saving will ask for a place: " + why));
-    if (!m_document.missing().empty()) {
+    if (m_document.outsideRefused()) {
+      m_prompt = Prompt::OutsideFiles;
+    } else if (!m_document.missing().empty()) {
       Error error{ErrorKind::BadInput, m_document.missing()};
       error.problems.push_back({{}, {}, "It is shown without them, and keeps their names."});
       fail(error);
@@ -171,6 +173,15 @@ void DocumentFlow::answerStopWork(bool stop) {
   } else {
     cancel();
   }
+}
+
+void DocumentFlow::answerOutside(bool allow) {
+  if (m_prompt != Prompt::OutsideFiles) return;
+  cancel();
+  if (!allow) return;
+  const fs::path path = m_document.path();
+  if (onAllowOutside) onAllowOutside(path);
+  requestOpen(path);
 }
 
 void DocumentFlow::cancel() {

@@ -19,6 +19,7 @@ enum class Prompt {
   ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
   ConfirmChanged,    ///< another program changed the document's file: answerChanged
   StopWork,          ///< quitting would stop workUnderWay(): answerStopWork
+  OutsideFiles,      ///< what was opened names files outside its folder, see Document::missing: answerOutside
 };
 enum class SaveAnswer { Save, DontSave, Cancel };
 enum class ChangedAnswer { Replace, AnotherName, Cancel };
@@ -43,6 +44,7 @@ class DocumentFlow {
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
   void answerChanged(ChangedAnswer answer);
   void answerStopWork(bool stop);  ///< false: nothing happens
+  void answerOutside(bool allow);  ///< true: remembered by onAllowOutside, and the project is opened again
   void cancel();                   ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
@@ -50,6 +52,10 @@ class DocumentFlow {
 
   /// What runs beside the window and would be lost by quitting, such as "An export"; empty: nothing does.
   std::function<std::string()> workUnderWay;
+  /// Whether the user allowed files outside the folder of this project file; unset: no.
+  std::function<OutsideFiles(const std::filesystem::path&)> outsideFor;
+  /// Called when the user allows them.
+  std::function<void(const std::filesystem::path&)> onAllowOutside;
   /// Called after each finished operation: an Error to show, or a line such as "Saved meadow.wind.json".
   std::function<void(const Error&)> onFailure;
   std::function<void(const std::string&)> onDone;

@@ -13,6 +13,7 @@
 #include "engine/core/atomic_file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/file_limits.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
@@ -26,6 +27,12 @@ using Json = nlohmann::ordered_json;
 
 /// Refuses what can't be written, before anything runs.
 Status requireWritable(const BakeRequest& request, const BakeHeader& header) {
+  const std::int64_t cells = std::int64_t{header.grid.resolution.x} * header.grid.resolution.y;
+  if (header.frames > kMaxBakeCells / cells) {
+    return makeError(ErrorKind::Usage, "that is " + std::to_string(header.frames) + " frames of " +
+                                           std::to_string(cells) + " cells, at most " + std::to_string(kMaxBakeCells) +
+                                           " cells can be baked in all; use less --seconds, --fps or --resolution");
+  }
   std::string whole;
   bool scale = false;
   for (const WriterKind* kind : request.formats) {
@@ -320,7 +327,7 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
 }
 
 Status loadInitialField(Simulation& simulation, const fs::path& path, double time) {
-  Result<NpyArray> array = readNpy(path);
+  Result<NpyArray> array = readNpy(path, kMaxNpyBytes);
   if (!array) return array.error();
   const std::vector<std::size_t>& shape = array->shape;
   const std::size_t axes = shape.size();

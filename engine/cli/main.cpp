@@ -2,9 +2,12 @@
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
+#include <stdexcept>
 
 #include "engine/cli/command_line.hpp"
 #include "engine/cli/common.hpp"
+#include "engine/core/memory_reserve.hpp"
 #include "engine/core/process.hpp"
 
 namespace {
@@ -26,10 +29,17 @@ int withOutputWritten(int status) {
 
 int main(int argc, char** argv) {
   windloom::prepareProcess();
+  windloom::keepMemoryReserve();
   try {
     int exitStatus = kExitDone;
     const auto action = parseCommandLine(argc, argv, exitStatus);
     return withOutputWritten(action ? (*action)() : exitStatus);
+  } catch (const std::bad_alloc&) {
+    std::fputs("windloom: there is not enough memory for this\n", stderr);
+    return kExitMachine;
+  } catch (const std::length_error&) {
+    std::fputs("windloom: there is not enough memory for this\n", stderr);
+    return kExitMachine;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "windloom: %s\n", error.what());
     return kExitMachine;

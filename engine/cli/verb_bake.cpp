@@ -9,8 +9,10 @@
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/log.hpp"
@@ -19,7 +21,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions, RunOptions {
+struct Options : CommonOptions, ProjectOptions, RunOptions {
   std::string file, out, resolution, part;
   std::string preset = "generic", space = "world";
   std::vector<std::string> formats;
@@ -31,7 +33,6 @@ struct Options : CommonOptions, RunOptions {
 };
 
 constexpr double kDefaultSeconds = 2, kDefaultFps = 30;
-constexpr int kMaxSide = 8192;  // cells; as for the field itself and for wind packs
 
 std::string namesOf(const auto& list) {
   std::string names;
@@ -50,7 +51,7 @@ std::optional<glm::ivec2> parseResolution(const std::string& text) {
   if (cross == std::string::npos) return std::nullopt;
   const auto width = parseNumber(text.substr(0, cross)), height = parseNumber(text.substr(cross + 1));
   const auto sensible = [](const std::optional<double>& side) {
-    return side && *side >= 1 && *side <= kMaxSide && *side == std::floor(*side);
+    return side && *side >= 1 && *side <= kMaxBakeSide && *side == std::floor(*side);
   };
   if (!sensible(width) || !sensible(height)) return std::nullopt;
   return glm::ivec2(*width, *height);
@@ -126,7 +127,8 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
     request.resolution = parseResolution(options.resolution);
     if (!request.resolution) {
       return makeError(ErrorKind::Usage, "--resolution: found '" + options.resolution +
-                                             "', expected WxH in cells, 1 to " + std::to_string(kMaxSide) + " a side");
+                                             "', expected WxH in cells, 1 to " + std::to_string(kMaxBakeSide) +
+                                             " a side");
     }
   }
   if (options.speedRange) request.fullScale = static_cast<float>(*options.speedRange);
@@ -212,7 +214,7 @@ int runBake(const Options& options) {
     if (!given) return reportError(makeError(ErrorKind::Usage, std::string("expected ") + name), options);
   }
   const auto start = std::chrono::steady_clock::now();
-  Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return reportError(project.error(), options);
   if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
   const Result<BakeRequest> request = requestOf(options, *project);
@@ -268,17 +270,17 @@ VerbAction makeBakeVerb(CLI::App& app) {
         listOf(presets()));
   app.add_option("--from", options->from, "Moment of the first frame, s (default: the start)")
       ->type_name("S")
-      ->check(numberFrom(0.0, 1e6));
+      ->check(numberFrom(0.0, kMaxSeconds));
   auto* seconds = app.add_option("--seconds", options->seconds, "Length of the recording, s (default 2)")
                       ->type_name("S")
-                      ->check(numberFrom(1e-6, 1e6));
+                      ->check(numberFrom(1e-6, kMaxSeconds));
   app.add_option("--fps", options->fps, "Frames a second (default 30)")
       ->type_name("N")
       ->check(numberFrom(0.01, 10000.0));
   app.add_option("--steps", options->steps,
                  "Count in solver steps: write the one field N steps after --from, or with --fps all frames up to it")
       ->type_name("N")
-      ->check(CLI::Range(0L, 100'000'000L))
+      ->check(CLI::Range(0L, kMaxSteps))
       ->excludes(seconds);
   app.add_option("--resolution", options->resolution,
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
@@ -292,7 +294,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--warm-up", options->warmUp,
                  "Let the wind blow only so long before --from, instead of from the project's start, s")
       ->type_name("S")
-      ->check(numberFrom(0.0, 1e6));
+      ->check(numberFrom(0.0, kMaxSeconds));
   app.add_option("--space", options->space,
                  "What images hold: world velocity, or uv: texture coordinates a second for panning shaders")
       ->check(CLI::IsMember({"world", "uv"}))
@@ -303,7 +305,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_flag("--no-sidecars", options->noSidecars, "No how-to, shader code and import settings beside the files");
   app.add_option("--layers", options->profile.layers, "Layers of volumes, from the ground up")
       ->type_name("N")
-      ->check(CLI::Range(1, 128))
+      ->check(CLI::Range(1, kMaxBakeLayers))
       ->capture_default_str();
   app.add_option("--top", options->profile.top, "Height of volumes, m")
       ->type_name("M")
@@ -322,6 +324,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
       ->check(numberFrom(1e-3, 1e4));
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   std::string footer = "Formats, each listed with its checksum in manifest.json:\n";
   for (const WriterKind& kind : writerKinds())

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "engine/cli/bench.hpp"
+#include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/file.hpp"
@@ -11,8 +12,6 @@
 
 namespace windloom::cli {
 namespace {
-
-constexpr int kMaxPictureSide = 8192;  // scene picture draws twice that
 
 struct Options : CommonOptions {
   std::vector<std::string> scenes, views;
@@ -97,8 +96,9 @@ int runBench(const Options& options) {
   if (!scenes) return reportError(scenes.error(), common);
   BenchSetup setup;
   if (!options.size.empty()) {
-    setup.picture = parsePair(options.size, kMaxPictureSide);
-    if (!setup.picture) return reportError(pairExpected("--size", options.size, kMaxPictureSide, "pixels"), common);
+    setup.picture = parsePair(options.size, kMaxBenchPictureSide);
+    if (!setup.picture)
+      return reportError(pairExpected("--size", options.size, kMaxBenchPictureSide, "pixels"), common);
   }
   const Result<OpenGl> gl = openGlFor(options.backend);
   if (!gl) return reportError(gl.error(), common);

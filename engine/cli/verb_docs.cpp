@@ -4,6 +4,7 @@
 #include "engine/cli/command_line.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/completion.hpp"
+#include "engine/cli/limits_page.hpp"
 #include "engine/cli/man_page.hpp"
 #include "engine/core/file.hpp"
 #include "engine/io/project_schema.hpp"
@@ -22,7 +23,9 @@ struct Document {
 
 std::vector<Document> documentsOf(const Options& options) {
   if (!options.man && !options.completion)
-    return {{"project.schema.json", projectSchemaJson()}, {"parameters.md", parametersMarkdown()}};
+    return {{"project.schema.json", projectSchemaJson()},
+            {"parameters.md", parametersMarkdown()},
+            {"limits.md", limitsMarkdown()}};
   VerbAction ignored;
   const ProgramHelp program = describe(*makeApp(ignored));
   std::vector<Document> documents;
@@ -53,7 +56,8 @@ int writeDocs(const Options& options) {
 
 VerbAction makeDocsVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("folder", options->folder, "Where to write project.schema.json and parameters.md, or what follows")
+  app.add_option("folder", options->folder,
+                 "Where to write project.schema.json, parameters.md and limits.md, or what follows")
       ->required();
   app.add_flag("--man", options->man, "Instead: manual pages");
   app.add_flag("--completion", options->completion, "Instead: completion for bash and zsh");

@@ -7,6 +7,7 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/number_range.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
@@ -17,7 +18,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::string file;
   double fps = 30;
 };
@@ -302,7 +303,7 @@ void printInfoText(const Options& options, const Project& project, const std::ve
 }
 
 int showInfo(const Options& options) {
-  const Result<Project> project = loadWithWarnings(options.file);
+  const Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return reportError(project.error(), options);
   const GraphEvaluator evaluator(*project->graph);
   const std::vector<Id> roots = findRoots(*project->graph);
@@ -318,6 +319,7 @@ VerbAction makeInfoVerb(CLI::App& app) {
   app.add_option("--fps", options->fps, "Frames a second to count the exports with")
       ->check(numberFrom(0.1, 1000.0))
       ->capture_default_str();
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Arrival times are those at which the signal of a root reaches a point, in seconds after its onset.");
   return [options] { return showInfo(*options); };

@@ -8,8 +8,10 @@
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
 #include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
@@ -23,12 +25,9 @@
 namespace windloom::cli {
 namespace {
 
-constexpr int kMaxSide = 16384;  // pixels
-constexpr int kMaxCells = 4096;  // per side, as for a field
-constexpr int kMaxFrames = 100'000;
 constexpr double kSlice = 0.25;  // s of simulated time between looks at Ctrl+C
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::string file, out, camera, grass, deformation, solver;
   std::string size = "1280x720", resolution;
   std::vector<std::string> overlays;
@@ -66,12 +65,12 @@ Json shellCountsJson(const ShellCounts& counts) {
 
 /// The project as it is to be shown: other resolution or density where asked for.
 Result<Project> projectOf(const Options& options) {
-  Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return project;
   if (const Status used = useSolver(*project, options.solver); !used) return used.error();
   if (!options.resolution.empty()) {
-    const auto cells = parsePair(options.resolution, kMaxCells);
-    if (!cells) return pairExpected("--resolution", options.resolution, kMaxCells, "cells");
+    const auto cells = parsePair(options.resolution, kMaxRenderCells);
+    if (!cells) return pairExpected("--resolution", options.resolution, kMaxRenderCells, "cells");
     FieldSettings field = *project->field;
     field.resolution = *cells;
     project->field = std::make_shared<FieldSettings>(field);
@@ -189,8 +188,8 @@ int render(const Options& options) {
     return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier, shell or none"),
                        options);
   }
-  const auto size = parsePair(options.size, kMaxSide);
-  if (!size) return reportError(pairExpected("--size", options.size, kMaxSide, "pixels"), options);
+  const auto size = parsePair(options.size, kMaxRenderSide);
+  if (!size) return reportError(pairExpected("--size", options.size, kMaxRenderSide, "pixels"), options);
   const Result<Overlays> overlays = overlaysByName(options.overlays);
   if (!overlays) return reportError(overlays.error(), options);
   const Result<Project> project = projectOf(options);
@@ -229,8 +228,10 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->required();
   app.add_option("--time", options->time, "Moment of the (first) picture in seconds")
       ->type_name("S")
-      ->check(numberFrom(0.0, 1e6));
-  app.add_option("--frames", options->frames, "How many pictures")->type_name("N")->check(CLI::Range(1, kMaxFrames));
+      ->check(numberFrom(0.0, kMaxSeconds));
+  app.add_option("--frames", options->frames, "How many pictures")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxRenderFrames));
   app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")
       ->type_name("N")
       ->check(numberFrom(0.01, 1000.0));
@@ -264,6 +265,7 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_flag("--every-blade", options->everyBlade,
                "Full quality, and every blade in sight drawn, however small: needs much memory");
   addBezierOptions(app, options->bezier);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
   return [options] { return render(*options); };

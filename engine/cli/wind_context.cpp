@@ -1,6 +1,7 @@
 #include "engine/cli/wind_context.hpp"
 
 #include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/session/solver_scheme.hpp"
 
@@ -36,7 +37,7 @@ void addRunOptions(CLI::App& app, RunOptions& options) {
   app.add_option("--initial-time", options.initialTime,
                  "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
       ->type_name("S")
-      ->check(numberFrom(0.0, 1e6))
+      ->check(numberFrom(0.0, kMaxSeconds))
       ->needs(initial);
   addSolverOption(app, options.solver);
   app.add_option("--threads", options.threads, "Threads of the CPU backend (default: all; results are the same)")

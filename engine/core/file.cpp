@@ -28,26 +28,31 @@ struct Descriptor {
 }  // namespace
 
 Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
-  const Descriptor d{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  const auto bad = [&](std::string what) { return makeError(ErrorKind::BadInput, path.string(), {}, std::move(what)); };
+  const auto tooLarge = [&] { return bad("is larger than the limit of " + std::to_string(limitBytes) + " bytes"); };
+  // Not blocking: opening a pipe would wait for who never writes to it, and reading a device may never end.
+  const Descriptor d{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+  if (d.fd < 0 && errno == ENXIO) return bad("is a socket, expected a file");
   if (d.fd < 0) {
     const ErrorKind kind = errno == ENOENT || errno == ENOTDIR ? ErrorKind::BadInput : ErrorKind::Machine;
     return makeError(kind, path.string(), {}, std::string("can't open: ") + std::strerror(errno));
   }
   struct stat info {};
   if (::fstat(d.fd, &info) != 0) return ioError(path, "read", errno);
-  if (S_ISDIR(info.st_mode)) return makeError(ErrorKind::BadInput, path.string(), {}, "is a folder, expected a file");
+  if (S_ISDIR(info.st_mode)) return bad("is a folder, expected a file");
+  if (!S_ISREG(info.st_mode)) return bad("is a pipe or a device, expected a file");
+  if (static_cast<std::uint64_t>(info.st_size) > limitBytes) return tooLarge();
   std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(info.st_size));
   char chunk[1 << 16];
   for (;;) {
     const ssize_t n = ::read(d.fd, chunk, sizeof chunk);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return ioError(path, "read", errno);
     if (n == 0) return bytes;
+    // It may have grown, and files of /proc say that they are empty.
+    if (bytes.size() + static_cast<std::size_t>(n) > limitBytes) return tooLarge();
     bytes.append(chunk, static_cast<std::size_t>(n));
-    if (bytes.size() > limitBytes) {
-      return makeError(ErrorKind::BadInput, path.string(), {},
-                       "is larger than the limit of " + std::to_string(limitBytes) + " bytes");
-    }
   }
 }
 

@@ -10,8 +10,8 @@
 
 namespace windloom {
 
-/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path
-/// is missing, is a folder, or is larger than `limitBytes`.
+/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path is missing, is a folder,
+/// pipe, device or socket (none is waited for), or is larger than `limitBytes`, seen before memory is taken.
 Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t limitBytes = 256ull << 20);
 
 enum class Backup { None, KeepOne };
