@@ -30,6 +30,9 @@ std::filesystem::path userFolder(const char* variable, const char* fallback) {
   return std::filesystem::path(home ? home : ".") / fallback / "windloom";
 }
 
+/// By then the project before and its wind and grass are gone.
+constexpr double kTrimAfterS = 2;
+
 constexpr std::pair<const char*, float Overlays::*> kOverlayRanges[] = {
     {"overlay.speedRange", &Overlays::speedRange},
     {"overlay.divergenceRange", &Overlays::divergenceRange},
@@ -102,6 +105,8 @@ void App::connect() {
   flow.onReplaced = [this, before = flow.onReplaced] {
     if (before) before();
     m_live->restart();
+    m_trimAtS = ImGui::GetTime() + kTrimAfterS;
+    ++m_opened;
   };
   flow.onFileUsed = [this](const std::filesystem::path& path) {
     m_workspace.preferences.usedFile(path);
@@ -281,7 +286,7 @@ void App::tellGrass() {
   map.fact("wind", m_live->session() ? shortest(m_live->session()->status().wind.maxSpeed) : "");
 }
 
-void App::tellMap() {
+void App::tellMap(double seconds) {
   if (!m_look.map.on()) return;
   UiMap& map = m_look.map;
   const Document& document = m_workspace.document;
@@ -313,6 +318,7 @@ void App::tellMap() {
   map.fact("help", m_helpOpen ? "yes" : "no");
   map.fact("palette", m_palette.isOpen() ? "yes" : "no");
   tellGrass();
+  tellHealth(seconds);
   map.fact("strokes", std::to_string(m_workspace.strokes.size()));
 }
 
@@ -339,7 +345,8 @@ void App::frame() {
       m_workspace.say(MessageKind::Warning, status.error().text());
 
   if (const std::string title = m_workspace.document.title(); title != m_title) m_window->setTitle(m_title = title);
-  tellMap();
+  if (m_trimAtS > 0 && ImGui::GetTime() > m_trimAtS) giveMemoryBack();
+  tellMap(seconds);
   m_look.map.endFrame();
   ++m_frames;
 }

@@ -67,8 +67,10 @@ class App {
   void finishScreenshot();
   void tellStart(const char* what) const;
   void openDropped();
-  void tellMap();
+  void tellMap(double seconds);
   void tellGrass();
+  void tellHealth(double seconds);
+  void giveMemoryBack();
   [[nodiscard]] double waitSeconds() const;
   [[nodiscard]] PanelContext panelContext();
 
@@ -100,7 +102,11 @@ class App {
   KeyPress m_afterFields;    // a shortcut that waits for a field to take its text
   double m_idleSeconds = 0;  // since something last happened
   double m_windBefore = 0;   // time of the wind a frame ago
+  long m_opened = 0;         // projects, so far
+  double m_trimAtS = 0;      // when to give memory back; 0: not asked for
   int m_frames = 0;
+  double m_longestFrameS = 0;   // so far
+  std::size_t m_heapBytes = 0;  // when last looked at
   std::string m_title;
   std::optional<int> m_exit;
 };

@@ -31,6 +31,7 @@ class LiveView {
   void reloadShaders();
 
   /// Null where the session can't be made; the editor works on without its picture.
+  [[nodiscard]] const gpu::Context& context() const { return *m_context; }
   [[nodiscard]] Session* session() { return m_session.get(); }
   /// How much of the grass to draw.
   [[nodiscard]] float detail() const { return m_fullQuality ? 1.0f : m_quality.detail(); }

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdlib>
 #include <string_view>
 
 #include "engine/core/log.hpp"
@@ -23,6 +24,11 @@ class AdoptedContext final : public Context {
 };
 
 }  // namespace
+
+bool strictAsked() {
+  const char* asked = std::getenv("WINDLOOM_GL_DEBUG");
+  return asked != nullptr && std::string_view(asked) == "1";
+}
 
 bool isSoftwareRenderer(std::string_view renderer) {
   for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer", "swrast"}) {
@@ -60,6 +66,7 @@ Result<std::unique_ptr<Context>> adoptCurrentContext() {
   if (epoxy_gl_version() < 45 || !epoxy_is_desktop_gl()) {
     return makeError(ErrorKind::Machine, "found " + describeVersion() + "; OpenGL 4.5 is needed");
   }
+  if (strictAsked()) glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   return std::unique_ptr<Context>(std::make_unique<AdoptedContext>());
 }
 

@@ -54,6 +54,9 @@ enum class DebugMode {
   Strict,  ///< a debug context: every error, at the call that made it (tests). $WINDLOOM_GL_DEBUG=1 asks for it too
 };
 
+/// $WINDLOOM_GL_DEBUG is 1: whoever makes a context asks for a debug context.
+bool strictAsked();
+
 /// A context without a window, through EGL, made current. Tries every device of the device platform,
 /// hardware first, then the surfaceless platform; $WINDLOOM_EGL_DEVICE=N takes device N of the driver's list
 /// and no other. Fails with Machine, listing what was tried, what was found and what is needed.

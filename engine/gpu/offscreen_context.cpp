@@ -138,8 +138,7 @@ Result<std::unique_ptr<Context>> tryCandidate(const Candidate& candidate, DebugM
 }  // namespace
 
 Result<std::unique_ptr<Context>> createOffscreenContext(DebugMode mode) {
-  if (const char* asked = std::getenv("WINDLOOM_GL_DEBUG"); asked != nullptr && std::strcmp(asked, "1") == 0)
-    mode = DebugMode::Strict;
+  if (strictAsked()) mode = DebugMode::Strict;
   Error failure{ErrorKind::Machine, {}};
   for (const Candidate& candidate : candidates()) {
     Result<std::unique_ptr<Context>> made = tryCandidate(candidate, mode);
