@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
+#include "engine/core/out_of_memory.hpp"
 #include "engine/io/assets.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
@@ -78,6 +80,7 @@ Result<SideFile> readSideFile(const fs::path& path) {
 }  // namespace
 
 Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)) {
+  keepReserve();
   std::error_code ignored;
   if (!makeFolder(m_folder)) return;
   for (int number = 1; number < 100; ++number) {
@@ -133,30 +136,76 @@ namespace {
 
 /// The worker: a project is a value, so edits meanwhile don't reach it.
 Status writeSideFile(const fs::path& file, const Project& project, const std::string& original) {
-  nlohmann::ordered_json json;
-  json["format"] = kFormat;
-  json["original"] = original;
-  json["savedAt"] = localTime();
-  json["project"] = writeProject(project);
-  return writeFileAtomically(file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  return orOutOfMemory("the autosave", [&]() -> Status {
+    nlohmann::ordered_json json;
+    json["format"] = kFormat;
+    json["original"] = original;
+    json["savedAt"] = localTime();
+    json["project"] = writeProject(project);
+    return writeFileAtomically(file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+  });
 }
+
+std::string originalOf(const Document& document) {
+  std::error_code ignored;
+  return document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
+}
+
+Error noFolder(const fs::path& folder) {
+  return makeError(ErrorKind::Machine, folder.string(), {}, "can't autosave: no file can be made in this folder");
+}
+
+// Large projects have a few MB of text, which is held about three times over while it is written.
+constexpr std::size_t kReserveBytes = 16u << 20;
 
 }  // namespace
 
 void Autosave::begin(const Document& document) {
   m_writing.rescuedFrom = document.rescuedFrom();
   m_writing.stale = false;
-  if (m_file.empty()) {
-    std::promise<Status> failed;
-    failed.set_value(
-        makeError(ErrorKind::Machine, m_folder.string(), {}, "can't autosave: no file can be made in this folder"));
-    m_writing.done = failed.get_future();
-    return;
+  try {
+    if (!m_file.empty()) {
+      m_writing.done =
+          std::async(std::launch::async, writeSideFile, m_file, document.committed(), originalOf(document));
+      return;
+    }
+  } catch (const std::system_error&) {  // no thread can be had: written here then
   }
-  std::error_code ignored;
-  const std::string original =
-      document.path().empty() ? std::string() : fs::absolute(document.path(), ignored).string();
-  m_writing.done = std::async(std::launch::async, writeSideFile, m_file, document.committed(), original);
+  std::promise<Status> ended;
+  ended.set_value(m_file.empty() ? noFolder(m_folder)
+                                 : writeSideFile(m_file, document.committed(), originalOf(document)));
+  m_writing.done = ended.get_future();
+}
+
+/// Touched by nobody, it costs no memory until the system has to promise some.
+void Autosave::keepReserve() {
+  if (!m_reserve) m_reserve.reset(new (std::nothrow) char[kReserveBytes]);
+  if (m_lastWord.problems.empty()) m_lastWord = outOfMemory("the autosave");
+}
+
+Status Autosave::writeNow(const Document& document) noexcept {
+  m_reserve.reset();
+  try {
+    const Status status = orOutOfMemory("the autosave", [&] { return writeHere(document); });
+    keepReserve();
+    return status;
+  } catch (...) {
+    return std::move(m_lastWord);  // nothing at all can be had, not even a message
+  }
+}
+
+Status Autosave::writeHere(const Document& document) {
+  static_cast<void>(wait());  // what it has to tell is older than this
+  if (!document.dirty()) return Done{};
+  if (m_file.empty()) return noFolder(m_folder);
+  const Status status = writeSideFile(m_file, document.committed(), originalOf(document));
+  if (!status) return status;
+  m_exists = true;
+  m_writtenEdits = document.editCount();
+  m_firstEditAt.reset();
+  m_seenRescue = document.rescuedFrom();
+  dropRescued(document.rescuedFrom());
+  return status;
 }
 
 /// What a write that ended has to tell.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -33,6 +34,10 @@ class Autosave {
   /// done, and so it does on a save. A write that failed (disk full) is told by the next tick, once; it is tried
   /// again after as many edits or as much time.
   Status tick(const Document& document, double nowSeconds);
+  /// Writes the side file on this thread, before it returns, whatever tick() would do: memory has ended, the screen is
+  /// lost, the program is about to end. To be called on the window's thread, at any time. Waits for a write under way,
+  /// gives memory back that was kept for this, and never throws. A document without changes needs none and is Done.
+  Status writeNow(const Document& document) noexcept;
   /// Waits for a write that is under way.
   Status wait();
   /// The editor closes in order: the side file goes.
@@ -46,6 +51,8 @@ class Autosave {
     bool stale = false;                 // the user's own file became newer meanwhile
   };
   void begin(const Document& document);
+  void keepReserve();
+  Status writeHere(const Document& document);
   Status take();
   void removeFile();
   void dropRescued(const std::filesystem::path& rescued);
@@ -57,6 +64,8 @@ class Autosave {
   std::optional<std::uint64_t> m_writtenEdits;    // the document's count when it was last clean or written
   std::optional<double> m_firstEditAt;
   bool m_exists = false;
+  std::unique_ptr<char[]> m_reserve;  // given back when memory has ended, so that there is some to write with
+  Error m_lastWord;                   // what to say where there is not even memory for words
 };
 
 /// A side file that a crashed editor left.

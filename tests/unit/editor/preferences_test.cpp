@@ -90,6 +90,13 @@ void editFrames(Autosave& autosave, Document& document, int count, double now) {
   }
 }
 
+std::size_t probesInSideFile(const std::filesystem::path& file) {
+  Document restored;
+  const Status status = restoreRescue(restored, {file, {}, {}});
+  EXPECT_TRUE(status.ok());
+  return restored.project().probes->size();
+}
+
 }  // namespace
 
 TEST(Autosave, WritesBeforeTwentyFiveEditsCouldBeLost) {
@@ -133,6 +140,32 @@ TEST(Autosave, SideFileGoesWhenTheProjectIsSavedAndNeverTouchesTheUsersFile) {
   ASSERT_TRUE(document.save());
   ASSERT_TRUE(autosave.tick(document, 2));
   EXPECT_FALSE(std::filesystem::exists(autosave.sideFile()));
+}
+
+TEST(Autosave, WritesAtOnceWhenToldThatTheEndIsNear) {
+  TempFolder folder;
+  Document document;
+  Autosave autosave(folder.path(), "1");
+  ASSERT_TRUE(autosave.tick(document, 0));
+  ASSERT_TRUE(autosave.writeNow(document));
+  EXPECT_FALSE(std::filesystem::exists(autosave.sideFile())) << "nothing was changed";
+  editFrames(autosave, document, int(kAutosaveEdits), 1);  // begins a write
+  addProbes(document, 1);
+  ASSERT_TRUE(autosave.writeNow(document));
+  EXPECT_EQ(probesInSideFile(autosave.sideFile()), kAutosaveEdits + 1);
+  addProbes(document, 1);
+  std::filesystem::remove(autosave.sideFile());
+  ASSERT_TRUE(autosave.tick(document, 2));
+  EXPECT_FALSE(std::filesystem::exists(autosave.sideFile())) << "edits are counted from what was written";
+}
+
+TEST(Autosave, SaysWhereItCannotWriteAtOnce) {
+  Document document;
+  Autosave autosave("/proc/no-folder-here", "1");
+  addProbes(document, 1);
+  const Status status = autosave.writeNow(document);
+  ASSERT_FALSE(status.ok());
+  EXPECT_NE(status.error().text().find("/proc/no-folder-here"), std::string::npos) << status.error().text();
 }
 
 TEST(Autosave, ARunningEditorsFileIsNoRescueACrashedOnesIs) {
