@@ -11,12 +11,13 @@ import tempfile
 import unittest
 import zlib
 
+PATIENCE = int(os.environ.get("WINDLOOM_TEST_PATIENCE", 1))
 BUILD, CMAKE, CC, CXX = sys.argv[1:5]
 SOURCES = pathlib.Path(__file__).parent / "outside" / "game"
 
 
 def run(*words, **kwargs):
-    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300, **kwargs)
+    done = subprocess.run([str(word) for word in words], capture_output=True, text=True, timeout=300 * PATIENCE, **kwargs)
     assert done.returncode == 0, f"{words}: {done.stdout}{done.stderr}"
     return done.stdout
 

@@ -5,7 +5,7 @@ import time
 from Xlib import X, Xatom, display as xlib
 from Xlib.protocol import event
 
-PATIENCE_S = 20
+from editor_driver import PATIENCE_S
 
 
 class DropSource:

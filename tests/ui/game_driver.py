@@ -5,14 +5,14 @@ import time
 
 import numpy
 
-from editor_driver import check
+from editor_driver import PATIENCE_S as driver_patience, check
 
-PATIENCE_S = 60
+PATIENCE_S = 2 * driver_patience
 SMALL = ["--size", "480x270"]
 
 
 def play(game, environment, *arguments, status=0):
-    done = subprocess.run([game, *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=300)
+    done = subprocess.run([game, *map(str, arguments)], env=environment, capture_output=True, text=True, timeout=5 * PATIENCE_S)
     check(done.returncode == status, f"{arguments} ended with {done.returncode}: {done.stdout[-500:]}{done.stderr}")
     return done
 

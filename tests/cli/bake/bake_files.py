@@ -129,7 +129,7 @@ class BakedFiles(harness.Case):
         ranges = ("4-5", "0", "6-7", "1-3")
         children = [subprocess.Popen([*command, "--frames", part], stdout=subprocess.PIPE, text=True)
                     for part in ranges]
-        words = [child.communicate(timeout=120)[0] for child in children]
+        words = [child.communicate(timeout=120 * harness.PATIENCE)[0] for child in children]
         self.assertEqual([child.returncode for child in children], [0, 0, 0, 0])
         self.assertEqual(sum("still missing" in text for text in words), 3)
         self.assertEqual({path.name for path in parted.iterdir()}, {path.name for path in whole.iterdir()})

@@ -31,7 +31,7 @@ class BakeTrouble(harness.Case):
             self.assertLess(time.monotonic(), give_up, "the bake never began")
             time.sleep(0.05)
         child.send_signal(signal.SIGINT)
-        self.assertIn("cancelled", child.communicate(timeout=60)[1])
+        self.assertIn("cancelled", child.communicate(timeout=60 * harness.PATIENCE)[1])
         self.assertEqual(child.returncode, 130)
         self.assertEqual({path.name: harness.sha256(path) for path in out.iterdir()}, before)
 

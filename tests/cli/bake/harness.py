@@ -15,6 +15,7 @@ import numpy
 from read_windpack import read_windpack  # noqa: F401, for the scripts
 
 WINDLOOM, SAMPLE_PACK = sys.argv[1:3]
+PATIENCE = int(os.environ.get("WINDLOOM_TEST_PATIENCE", 1))  # more where sanitizers slow everything down
 
 PROJECT = {
     "format": "windloom-project",
@@ -47,7 +48,7 @@ class Case(unittest.TestCase):
 
     def call(self, *args, status=0, env=None, **kwargs):
         """Runs `windloom ARGS`; the finished process. `status` is what it must exit with."""
-        done = subprocess.run([WINDLOOM, *map(str, args)], capture_output=True, text=True, timeout=200,
+        done = subprocess.run([WINDLOOM, *map(str, args)], capture_output=True, text=True, timeout=200 * PATIENCE,
                               env={**os.environ, **(env or {})}, **kwargs)
         self.assertEqual(done.returncode, status, f"{args}: {done.stdout}{done.stderr}")
         return done

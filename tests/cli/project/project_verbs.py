@@ -12,6 +12,7 @@ import sys
 import tempfile
 import unittest
 
+PATIENCE = int(os.environ.get("WINDLOOM_TEST_PATIENCE", 1))
 DONE, BAD_INPUT, USAGE, MACHINE = 0, 1, 2, 3
 
 # file -> (place, part of the message)
@@ -77,7 +78,7 @@ class Verbs(unittest.TestCase):
 
     def run_windloom(self, *arguments):
         command = [OPTIONS.windloom, *map(str, arguments)]
-        return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60)
+        return subprocess.run(command, capture_output=True, text=True, encoding="utf-8", timeout=60 * PATIENCE)
 
     def expect(self, status, *arguments):
         result = self.run_windloom(*arguments)

@@ -2,6 +2,7 @@
 """Drives the built `windloom` on projects with terrain: validate, info, sample and what they say of a lost file."""
 import argparse
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -10,6 +11,7 @@ import tempfile
 import unittest
 import zlib
 
+PATIENCE = int(os.environ.get("WINDLOOM_TEST_PATIENCE", 1))
 DONE, BAD_INPUT = 0, 1
 
 
@@ -38,7 +40,7 @@ class Terrain(unittest.TestCase):
                                             "ambient": {"speed": 3}}))
 
     def run_windloom(self, status, *arguments):
-        done = subprocess.run([windloom, *map(str, arguments)], capture_output=True, text=True, timeout=60)
+        done = subprocess.run([windloom, *map(str, arguments)], capture_output=True, text=True, timeout=60 * PATIENCE)
         self.assertEqual(done.returncode, status, done.stderr)
         return done
 
