@@ -189,7 +189,7 @@ int App::run() {
     }
     if (m_workspace.flow.quitConfirmed()) m_exit = 0;
   }
-  m_autosave.finish();
+  if (m_lastWords.empty()) m_autosave.finish();  // else the side file is what the work is kept in
   writePreferences();
   return *m_exit;
 }
@@ -349,6 +349,7 @@ void App::frame() {
   tellMap(seconds);
   m_look.map.endFrame();
   ++m_frames;
+  heedTrouble();
 }
 
 /// The picture behind what the interface draws is made after it and shows a later time: about as much later as the last

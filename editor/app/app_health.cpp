@@ -29,7 +29,8 @@ std::size_t heapBytes() {
 void App::giveMemoryBack() {
   m_trimAtS = 0;
 #if defined(__GLIBC__)
-  // A large project leaves holes between small blocks that stay: without this the process keeps what the largest one took.
+  // A large project leaves holes between small blocks that stay: without this the process keeps what the largest one
+  // took.
   malloc_trim(0);
 #endif
 }

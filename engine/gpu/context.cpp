@@ -17,6 +17,9 @@ std::string glText(GLenum what) {
   return text == nullptr ? "unknown" : text;
 }
 
+/// Of the context that is current in this thread.
+thread_local bool resetSeen = false;
+
 class AdoptedContext final : public Context {
  public:
   AdoptedContext() { attach("window"); }
@@ -41,9 +44,23 @@ std::string describeVersion() {
   return glText(GL_RENDERER) + ", OpenGL " + glText(GL_VERSION);
 }
 
+bool gpuWasReset() {
+  // A driver may tell of it only once.
+  if (!resetSeen) resetSeen = glGetGraphicsResetStatus() != GL_NO_ERROR;
+  return resetSeen;
+}
+
+bool Context::lost() {
+  if (m_lost || !gpuWasReset()) return m_lost;
+  m_lost = true;
+  logError(std::string("OpenGL: ") + kGpuLost);
+  return true;
+}
+
 // The callback's last argument is the context's DebugLog: the heap object stays where it is.
 void Context::attach(std::string platform) {
   forgetBindings();
+  resetSeen = false;
   m_info = {glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), std::move(platform), false};
   m_info.software = isSoftwareRenderer(m_info.renderer);
   glEnable(GL_DEBUG_OUTPUT);

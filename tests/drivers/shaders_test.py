@@ -24,7 +24,7 @@ def fail(message):
 
 def dump(folder, windloom, projects, programs):
     environment = dict(os.environ, WINDLOOM_SHADER_DUMP=str(folder))
-    runs = [[program, "--gtest_filter=*Programs*:*LoadAll*:*AllCompile*:*ShadersCompile*:*PlainScheme.*Compile*:*FrameTap*"]
+    runs = [[program, "--gtest_filter=*Programs*:*LoadAll*:*AllCompile*:*ShadersCompile*:PlainGpuScheme.Compiles*"]
             for program in programs]
     small = ["--size", "96x64", "--time", "0.05", "--backend", "gpu", "--out", str(folder.parent / "p.png")]
     for name in ("knoll", "prairie", "nature", "flowers", "fur"):
