@@ -24,6 +24,9 @@ namespace windloom::editor {
 
 namespace {
 
+/// By then the project before and its wind and grass are gone.
+constexpr double kTrimAfterS = 2;
+
 constexpr std::pair<const char*, float Overlays::*> kOverlayRanges[] = {
     {"overlay.speedRange", &Overlays::speedRange},
     {"overlay.divergenceRange", &Overlays::divergenceRange},
@@ -102,6 +105,8 @@ void App::connect() {
   flow.onReplaced = [this, before = flow.onReplaced] {
     if (before) before();
     m_live->restart();
+    m_trimAtS = ImGui::GetTime() + kTrimAfterS;
+    ++m_opened;
   };
   flow.onFileUsed = [this](const std::filesystem::path& path) {
     m_workspace.preferences.usedFile(path);
@@ -184,7 +189,8 @@ int App::run() {
     }
     if (m_workspace.flow.quitConfirmed()) m_exit = 0;
   }
-  if (m_troubledFrames == 0) m_autosave.finish();  // else the side file is what is left of the work
+  // Else the side file is what the work is kept in.
+  if (m_troubledFrames == 0 && m_lastWords.empty()) m_autosave.finish();
   writePreferences();
   return *m_exit;
 }
@@ -281,7 +287,7 @@ void App::tellGrass() {
   map.fact("wind", m_live->session() ? shortest(m_live->session()->status().wind.maxSpeed) : "");
 }
 
-void App::tellMap() {
+void App::tellMap(double seconds) {
   if (!m_look.map.on()) return;
   UiMap& map = m_look.map;
   const Document& document = m_workspace.document;
@@ -313,6 +319,7 @@ void App::tellMap() {
   map.fact("help", m_helpOpen ? "yes" : "no");
   map.fact("palette", m_palette.isOpen() ? "yes" : "no");
   tellGrass();
+  tellHealth(seconds);
   map.fact("strokes", std::to_string(m_workspace.strokes.size()));
 }
 
@@ -339,9 +346,11 @@ void App::frame() {
       m_workspace.say(MessageKind::Warning, status.error().text());
 
   if (const std::string title = m_workspace.document.title(); title != m_title) m_window->setTitle(m_title = title);
-  tellMap();
+  if (m_trimAtS > 0 && ImGui::GetTime() > m_trimAtS) giveMemoryBack();
+  tellMap(seconds);
   m_look.map.endFrame();
   ++m_frames;
+  heedTrouble();
 }
 
 /// The picture behind what the interface draws is made after it and shows a later time: about as much later as the last

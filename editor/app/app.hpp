@@ -33,6 +33,8 @@ class App {
 
   /// Until the window is closed. The exit status.
   int run();
+  /// What to tell once the window is gone: why run() ended by itself. Empty: it was closed.
+  [[nodiscard]] const std::string& lastWords() const { return m_lastWords; }
 
  private:
   /// Sizes of the areas around the viewport, px at 100%.
@@ -69,8 +71,12 @@ class App {
   void finishScreenshot();
   void tellStart(const char* what) const;
   void openDropped();
-  void tellMap();
+  void tellMap(double seconds);
   void tellGrass();
+  void tellHealth(double seconds);
+  void giveMemoryBack();
+  void heedTrouble();
+  void endWithoutGpu();
   [[nodiscard]] double waitSeconds() const;
   [[nodiscard]] PanelContext panelContext();
 
@@ -99,12 +105,17 @@ class App {
   bool m_helpOpen = false, m_aboutOpen = false, m_lookChanged = false, m_pictureTold = false;
 
   Clock::time_point m_lastFrame = Clock::now();
-  KeyPress m_afterFields;    // a shortcut that waits for a field to take its text
-  double m_idleSeconds = 0;  // since something last happened
-  double m_windBefore = 0;   // time of the wind a frame ago
+  KeyPress m_afterFields;     // a shortcut that waits for a field to take its text
+  double m_idleSeconds = 0;   // since something last happened
+  double m_windBefore = 0;    // time of the wind a frame ago
+  long m_opened = 0;          // projects, so far
+  double m_trimAtS = 0;       // when to give memory back; 0: not asked for
+  long m_memoryFailures = 0;  // of OpenGL, that were told
   int m_frames = 0;
-  int m_troubledFrames = 0;  // one after the other in which memory ended
-  std::string m_title;
+  int m_troubledFrames = 0;     // one after the other in which memory ended
+  double m_longestFrameS = 0;   // so far
+  std::size_t m_heapBytes = 0;  // when last looked at
+  std::string m_title, m_lastWords;
   std::optional<int> m_exit;
 };
 

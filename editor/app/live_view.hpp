@@ -31,6 +31,9 @@ class LiveView {
   void reloadShaders();
 
   /// Null where the session can't be made; the editor works on without its picture.
+  /// The GPU was reset: there will be no picture any more.
+  [[nodiscard]] bool lost() { return m_context->lost(); }
+  [[nodiscard]] const gpu::Context& context() const { return *m_context; }
   [[nodiscard]] Session* session() { return m_session.get(); }
   /// How much of the grass to draw.
   [[nodiscard]] float detail() const { return m_fullQuality ? 1.0f : m_quality.detail(); }

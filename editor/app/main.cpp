@@ -21,16 +21,22 @@ int run(int argc, char** argv) {
   editor::LogFile file(line->unattended() ? std::filesystem::path() : editor::stateFolder());
   file.add(LogLevel::Info, "windloom-editor " WINDLOOM_VERSION " starts");
   file.catchCrashes();
-  auto app = editor::App::create(*line, file);
-  if (!app) {
-    file.add(LogLevel::Error, app.error().text());
-    logError(app.error().text());
-    if (!line->unattended()) editor::showTrouble(app.error().text());
-    return app.error().kind == ErrorKind::Machine ? 3 : 1;
+  std::string lastWords;
+  {
+    auto app = editor::App::create(*line, file);
+    if (!app) {
+      file.add(LogLevel::Error, app.error().text());
+      logError(app.error().text());
+      if (!line->unattended()) editor::showTrouble(app.error().text());
+      return app.error().kind == ErrorKind::Machine ? 3 : 1;
+    }
+    exitStatus = (*app)->run();
+    lastWords = (*app)->lastWords();
   }
-  const int status = (*app)->run();
-  file.add(LogLevel::Info, "ends with status " + std::to_string(status));
-  return status;
+  file.add(LogLevel::Info, "ends with status " + std::to_string(exitStatus));
+  // In a window of its own, with another context: the editor's is lost.
+  if (!lastWords.empty()) editor::showTrouble(lastWords);
+  return exitStatus;
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "engine/core/file.hpp"
 #include "engine/io/image.hpp"
+#include "engine/gpu/context.hpp"
 
 namespace windloom::editor {
 
@@ -31,6 +32,8 @@ GLFWwindow* openWindow(const WindowOptions& options, int major, int minor) {
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
   if (major * 10 + minor >= 32) glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+  glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, gpu::strictAsked() ? GLFW_TRUE : GLFW_FALSE);
+  glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where the driver can tell
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   // What the desktop entry calls itself, so that its icon stands for the window.

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "engine/gpu/context.hpp"
 #include "engine/session/frame_tap.hpp"
 
 namespace windloom {
@@ -23,6 +24,15 @@ float seamWeight(const RecordPlan& plan, int n) {
   return n < plan.crossfade ? static_cast<float>(n) / static_cast<float>(plan.crossfade) : 1.0f;
 }
 
+namespace {
+
+Error gpuLost() {
+  return makeError(ErrorKind::Machine, std::string("recording stopped: ") + gpu::kGpuLost +
+                                           ". Record again, or on the processor (--backend cpu).");
+}
+
+}  // namespace
+
 Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const std::optional<glm::ivec2>& resolution,
                          const std::function<bool(int frame)>& wanted,
                          const std::function<Status(int frame, std::span<const glm::vec2> cells)>& take,
@@ -40,6 +50,7 @@ Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const s
       if (Status taken = take(frame->number, frame->cells); !taken) return taken;
       wait = FrameTap::Wait::No;
     }
+    if (tap.lost()) return gpuLost();
     return Done{};
   };
   RecordProgress progress{simulation.steps(), stepOfFrame(plan, std::max(frames, 1) - 1, timeStep)};
@@ -57,6 +68,7 @@ Result<RecordEnd> record(Simulation& simulation, const RecordPlan& plan, const s
   while (const auto frame = tap.take(FrameTap::Wait::Yes)) {
     if (Status taken = take(frame->number, frame->cells); !taken) return taken.error();
   }
+  if (tap.lost()) return gpuLost();
   progress.step = progress.steps;
   keepGoing(progress);
   return RecordEnd::Finished;

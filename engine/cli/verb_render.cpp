@@ -16,6 +16,7 @@
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
 #include "engine/gpu/context.hpp"
+#include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/framebuffer.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/io/image.hpp"
@@ -102,6 +103,10 @@ std::filesystem::path imagePath(const Options& options, int frame) {
 
 Status savePicture(const gpu::Framebuffer& target, const std::filesystem::path& path) {
   const std::vector<unsigned char> rgba = target.readRgba8();
+  // Rather no picture than one that isn't what the project says.
+  if (gpu::gpuWasReset()) return makeError(ErrorKind::Machine, gpu::kGpuLost);
+  if (const gpu::MemoryFailures failed = gpu::memoryFailures(); failed.count > 0)
+    return makeError(ErrorKind::Machine, failed.last);
   Image image(target.size().x, target.size().y, 3);
   for (std::size_t i = 0; i * 4 < rgba.size(); ++i) {
     for (std::size_t c = 0; c < 3; ++c) image.pixels[i * 3 + c] = rgba[i * 4 + c];

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/core/log.hpp"
+#include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/object_label.hpp"
 
 namespace windloom::gpu {
@@ -28,8 +29,8 @@ Result<Buffer> Buffer::create(std::string_view label, std::size_t bytes, BufferU
   glNamedBufferStorage(name, static_cast<GLsizeiptr>(bytes), data,
                        use == BufferUse::Dynamic ? GL_DYNAMIC_STORAGE_BIT : 0);
   if (const GLenum error = glGetError(); error != GL_NO_ERROR) {
-    return makeError(ErrorKind::Machine, "OpenGL has no memory for the buffer '" + std::string(label) + "' of " +
-                                             std::to_string(bytes) + " bytes");
+    return memoryFailure("OpenGL has no memory for the buffer '" + std::string(label) + "' of " +
+                         std::to_string(bytes) + " bytes");
   }
   buffer.m_memory = MemoryUse(label, bytes);
   if (data == nullptr) buffer.clear();
@@ -47,7 +48,8 @@ void Buffer::write(const void* data, std::size_t bytes, std::size_t offset) {
   labelObject(BufferKind::kLabel, staging, "staging");
   forgetErrors();
   glNamedBufferStorage(staging, static_cast<GLsizeiptr>(bytes), data, 0);
-  if (glGetError() != GL_NO_ERROR) logError("OpenGL has no memory to write " + std::to_string(bytes) + " bytes");
+  if (glGetError() != GL_NO_ERROR)
+    logError(memoryFailure("OpenGL has no memory to write " + std::to_string(bytes) + " bytes").text());
   glCopyNamedBufferSubData(staging, name(), 0, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes));
   glDeleteBuffers(1, &staging);
 }

@@ -2,6 +2,7 @@
 
 #include <epoxy/gl.h>
 
+#include <cstdlib>
 #include <string_view>
 
 #include "engine/core/log.hpp"
@@ -16,6 +17,9 @@ std::string glText(GLenum what) {
   return text == nullptr ? "unknown" : text;
 }
 
+/// Of the context that is current in this thread.
+thread_local bool resetSeen = false;
+
 class AdoptedContext final : public Context {
  public:
   AdoptedContext() { attach("window"); }
@@ -23,6 +27,11 @@ class AdoptedContext final : public Context {
 };
 
 }  // namespace
+
+bool strictAsked() {
+  const char* asked = std::getenv("WINDLOOM_GL_DEBUG");
+  return asked != nullptr && std::string_view(asked) == "1";
+}
 
 bool isSoftwareRenderer(std::string_view renderer) {
   for (const std::string_view name : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer", "swrast"}) {
@@ -35,9 +44,23 @@ std::string describeVersion() {
   return glText(GL_RENDERER) + ", OpenGL " + glText(GL_VERSION);
 }
 
+bool gpuWasReset() {
+  // A driver may tell of it only once.
+  if (!resetSeen) resetSeen = glGetGraphicsResetStatus() != GL_NO_ERROR;
+  return resetSeen;
+}
+
+bool Context::lost() {
+  if (m_lost || !gpuWasReset()) return m_lost;
+  m_lost = true;
+  logError(std::string("OpenGL: ") + kGpuLost);
+  return true;
+}
+
 // The callback's last argument is the context's DebugLog: the heap object stays where it is.
 void Context::attach(std::string platform) {
   forgetBindings();
+  resetSeen = false;
   m_info = {glText(GL_VENDOR), glText(GL_RENDERER), glText(GL_VERSION), std::move(platform), false};
   m_info.software = isSoftwareRenderer(m_info.renderer);
   glEnable(GL_DEBUG_OUTPUT);
@@ -60,6 +83,7 @@ Result<std::unique_ptr<Context>> adoptCurrentContext() {
   if (epoxy_gl_version() < 45 || !epoxy_is_desktop_gl()) {
     return makeError(ErrorKind::Machine, "found " + describeVersion() + "; OpenGL 4.5 is needed");
   }
+  if (strictAsked()) glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
   return std::unique_ptr<Context>(std::make_unique<AdoptedContext>());
 }
 

@@ -25,6 +25,11 @@ class Context {
   /// Makes it current in the calling thread; nothing where the toolkit that owns it does that itself.
   virtual void makeCurrent() = 0;
 
+  /// Whether the driver or the GPU was reset under it (told in the log, once). It stays lost: nothing that is drawn or
+  /// computed with it has a meaning any more, and what was kept in it is gone. Cheap: once a frame is fine. Drivers
+  /// that don't tell of resets always answer false.
+  [[nodiscard]] bool lost();
+
   [[nodiscard]] const ContextInfo& info() const { return m_info; }
 
   /// How many errors and high-severity messages OpenGL reported since the start; each is in the log. In
@@ -47,12 +52,22 @@ class Context {
  private:
   ContextInfo m_info;
   std::unique_ptr<DebugLog> m_debug = std::make_unique<DebugLog>();
+  bool m_lost = false;
 };
 
 enum class DebugMode {
   Normal,  ///< errors are reported where the driver does so at no cost
   Strict,  ///< a debug context: every error, at the call that made it (tests). $WINDLOOM_GL_DEBUG=1 asks for it too
 };
+
+/// Context::lost() of the context that this thread made current last, for who has no Context at hand.
+bool gpuWasReset();
+
+/// What to say then.
+inline constexpr const char* kGpuLost = "the graphics driver or the GPU was reset: the OpenGL context is lost";
+
+/// $WINDLOOM_GL_DEBUG is 1: whoever makes a context asks for a debug context.
+bool strictAsked();
 
 /// A context without a window, through EGL, made current. Tries every device of the device platform,
 /// hardware first, then the surfaceless platform; $WINDLOOM_EGL_DEVICE=N takes device N of the driver's list

@@ -92,16 +92,23 @@ EGLContext createContext(EGLDisplay display, DebugMode mode) {
   EGLConfig config = nullptr;
   EGLint configs = 0;
   if (!eglChooseConfig(display, configWanted, &config, 1, &configs) || configs == 0) config = EGL_NO_CONFIG_KHR;
-  const EGLint wanted[] = {EGL_CONTEXT_MAJOR_VERSION,
-                           4,
-                           EGL_CONTEXT_MINOR_VERSION,
-                           5,
-                           EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                           EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                           EGL_CONTEXT_OPENGL_DEBUG,
-                           mode == DebugMode::Strict ? EGL_TRUE : EGL_FALSE,
-                           EGL_NONE};
-  return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted);
+  std::vector<EGLint> wanted = {EGL_CONTEXT_MAJOR_VERSION,
+                                4,
+                                EGL_CONTEXT_MINOR_VERSION,
+                                5,
+                                EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
+                                EGL_CONTEXT_OPENGL_DEBUG,
+                                mode == DebugMode::Strict ? EGL_TRUE : EGL_FALSE,
+                                EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY,
+                                EGL_LOSE_CONTEXT_ON_RESET,
+                                EGL_NONE};
+  const EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
+  if (context != EGL_NO_CONTEXT) return context;
+  // A driver that can't tell of resets.
+  wanted.resize(8);
+  wanted.push_back(EGL_NONE);
+  return eglCreateContext(display, config, EGL_NO_CONTEXT, wanted.data());
 }
 
 Result<std::unique_ptr<Context>> tryCandidate(const Candidate& candidate, DebugMode mode) {
@@ -138,8 +145,7 @@ Result<std::unique_ptr<Context>> tryCandidate(const Candidate& candidate, DebugM
 }  // namespace
 
 Result<std::unique_ptr<Context>> createOffscreenContext(DebugMode mode) {
-  if (const char* asked = std::getenv("WINDLOOM_GL_DEBUG"); asked != nullptr && std::strcmp(asked, "1") == 0)
-    mode = DebugMode::Strict;
+  if (strictAsked()) mode = DebugMode::Strict;
   Error failure{ErrorKind::Machine, {}};
   for (const Candidate& candidate : candidates()) {
     Result<std::unique_ptr<Context>> made = tryCandidate(candidate, mode);

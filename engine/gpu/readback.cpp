@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "engine/gpu/context.hpp"
+#include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/object_label.hpp"
 
 namespace windloom::gpu {
@@ -24,8 +26,8 @@ Result<ReadbackRing> ReadbackRing::create(std::string_view label, std::size_t by
           static_cast<const std::byte*>(glMapNamedBufferRange(name, 0, static_cast<GLsizeiptr>(bytes), kFlags));
     }
     if (slot.mapped == nullptr) {
-      return makeError(ErrorKind::Machine, "OpenGL has no memory to read back '" + std::string(label) + "' of " +
-                                               std::to_string(bytes) + " bytes");
+      return memoryFailure("OpenGL has no memory to read back '" + std::string(label) + "' of " +
+                           std::to_string(bytes) + " bytes");
     }
     ring.m_slots.push_back(std::move(slot));
   }
@@ -40,6 +42,7 @@ ReadbackRing& ReadbackRing::operator=(ReadbackRing&& other) noexcept {
     m_slots = std::move(other.m_slots);
     m_bytes = other.m_bytes;
     m_next = other.m_next;
+    m_failed = other.m_failed;
   }
   return *this;
 }
@@ -97,7 +100,11 @@ std::optional<ReadbackRing::Arrival> ReadbackRing::takeOldest(Wait wait) {
     if (slot.fence == nullptr) continue;
     const bool waits = wait == Wait::Yes;
     GLenum state = glClientWaitSync(slot.fence, waits ? GL_SYNC_FLUSH_COMMANDS_BIT : 0, waits ? kTenSeconds : 0);
-    while (waits && state == GL_TIMEOUT_EXPIRED) state = glClientWaitSync(slot.fence, 0, kTenSeconds);
+    while (waits && state == GL_TIMEOUT_EXPIRED && !gpuWasReset()) state = glClientWaitSync(slot.fence, 0, kTenSeconds);
+    // A lost context may signal every fence; the bytes behind it are anything.
+    m_failed = m_failed || state == GL_WAIT_FAILED || (state != GL_TIMEOUT_EXPIRED && gpuWasReset()) ||
+               (waits && state == GL_TIMEOUT_EXPIRED);
+    if (m_failed) return std::nullopt;
     if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
     glDeleteSync(slot.fence);
     slot.fence = nullptr;

@@ -41,6 +41,9 @@ class ReadbackRing {
   /// Waits for all requests, then as poll().
   std::optional<Arrival> finish();
 
+  /// The GPU was reset, or the driver can't wait: what was asked for and not taken yet will never come.
+  [[nodiscard]] bool failed() const { return m_failed; }
+
   enum class Wait { No, Yes };
   /// The oldest result not taken yet: for those who need every one, in order.
   std::optional<Arrival> takeOldest(Wait wait);
@@ -59,6 +62,7 @@ class ReadbackRing {
 
   std::vector<Slot> m_slots;
   std::size_t m_bytes = 0, m_next = 0;
+  bool m_failed = false;
 };
 
 }  // namespace windloom::gpu

@@ -1,8 +1,11 @@
 #include "engine/gpu/shader_library.hpp"
 
 #include <algorithm>
+#include <cstdlib>
+#include <functional>
 
 #include "engine/core/file.hpp"
+#include "engine/core/log.hpp"
 #include "engine/gpu/object_label.hpp"
 #include "engine/gpu/shader_source.hpp"
 
@@ -59,6 +62,15 @@ Result<Handle<ShaderKind>> compile(const ShaderSource& source, GLenum stage, con
   return Error{ErrorKind::Machine, problemsOfLog(logOf(shader.name(), glGetShaderiv, glGetShaderInfoLog), source)};
 }
 
+/// What the driver is given, for other compilers to read: FOLDER/HASH/STAGE.EXTENSION with the program's name and the
+/// files that it is made of in comments at the end, where they change no line.
+void dump(const fs::path& folder, const std::string& program, const std::string& stage, const ShaderSource& source) {
+  std::string text = source.text + "// program: " + program + "\n// stage: " + stage + "\n";
+  for (const std::string& file : source.files) text += "// file: " + file + "\n";
+  const std::string name = std::to_string(std::hash<std::string>{}(text)) + fs::path(stage).extension().string();
+  if (const Status written = writeFileAtomically(folder / name, text); !written) logError(written.error().text());
+}
+
 }  // namespace
 
 Result<std::unique_ptr<ShaderLibrary>> ShaderLibrary::create() {
@@ -84,6 +96,7 @@ Result<Handle<ProgramKind>> ShaderLibrary::build(Entry& entry) const {
       failure.problems.insert(failure.problems.end(), source.error().problems.begin(), source.error().problems.end());
       continue;
     }
+    if (const char* folder = std::getenv("WINDLOOM_SHADER_DUMP")) dump(folder, entry.name, stage, *source);
     Result<Handle<ShaderKind>> shader = compile(*source, stageOf(stage), entry.name + " " + stage);
     if (!shader) {
       failure.problems.insert(failure.problems.end(), shader.error().problems.begin(), shader.error().problems.end());

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <cstdlib>
+#include <limits>
 #include <string>
 
+#include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/object_label.hpp"
 
 namespace windloom::gpu {
@@ -54,16 +57,47 @@ void setSampling(GLuint name, const TextureOptions& options) {
   }
 }
 
+/// $WINDLOOM_GL_POISON is 1: fresh textures hold what nobody would want, so that a test sees who reads before writing.
+bool poisonAsked() {
+  static const bool asked = [] {
+    const char* text = std::getenv("WINDLOOM_GL_POISON");
+    return text != nullptr && std::string_view(text) == "1";
+  }();
+  return asked;
+}
+
+GLint componentType(GLuint name, GLenum what) {
+  GLint type = 0;
+  glGetTextureLevelParameteriv(name, 0, what, &type);
+  return type;
+}
+
+void poison(const Texture& texture) {
+  const GLuint name = texture.name();
+  const GLint red = componentType(name, GL_TEXTURE_RED_TYPE);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const GLfloat bad[] = {nan, nan, nan, nan}, odd[] = {0.7f, 0.3f, 0.9f, 0.1f};
+  const GLuint big[] = {0xfeedbeef, 0xfeedbeef, 0xfeedbeef, 0xfeedbeef};
+  for (int level = 0; level < texture.levels(); ++level) {
+    if (componentType(name, GL_TEXTURE_DEPTH_TYPE) != GL_NONE)
+      glClearTexImage(name, level, GL_DEPTH_COMPONENT, GL_FLOAT, odd);
+    else if (red == GL_INT || red == GL_UNSIGNED_INT)
+      glClearTexImage(name, level, GL_RGBA_INTEGER, GL_UNSIGNED_INT, big);
+    else
+      glClearTexImage(name, level, GL_RGBA, GL_FLOAT, red == GL_FLOAT ? bad : odd);
+  }
+}
+
 }  // namespace
 
 Result<Texture> Texture::finish(std::string_view label, Texture texture, const TextureOptions& options) {
   labelObject(TextureKind::kLabel, texture.name(), label);
   if (glGetError() != GL_NO_ERROR) {
-    return makeError(ErrorKind::Machine, "OpenGL can't make the texture '" + std::string(label) + "' of " +
-                                             sizeText(texture.m_size) +
-                                             " (no memory for it, or its format is not supported)");
+    return memoryFailure("OpenGL can't make the texture '" + std::string(label) + "' of " + sizeText(texture.m_size) +
+                         " (no memory for it, or its format is not supported)");
   }
   texture.m_memory = MemoryUse(label, texture.bytes());
+  if (poisonAsked()) poison(texture);
   if (texture.m_target != GL_TEXTURE_2D_MULTISAMPLE) setSampling(texture.name(), options);
   return texture;
 }

@@ -94,6 +94,8 @@ class GpuTap final : public FrameTap {
     return Frame{static_cast<int>(arrived->tag), m_arrived};
   }
 
+  [[nodiscard]] bool lost() const override { return m_ring.failed(); }
+
  private:
   GpuTap(Simulation& simulation, glm::ivec2 resolution) : m_simulation(simulation), m_resolution(resolution) {}
 

@@ -27,6 +27,8 @@ class FrameTap {
   enum class Wait { No, Yes };
   /// The oldest frame that was asked for and not taken yet; nothing where there is none, or it hasn't come.
   virtual std::optional<Frame> take(Wait wait) = 0;
+  /// The GPU was reset: frames that were asked for and not taken yet never come.
+  [[nodiscard]] virtual bool lost() const { return false; }
 };
 
 /// Of frames with `resolution` cells. The simulation must outlive it. Fails with Machine (OpenGL has no memory).
