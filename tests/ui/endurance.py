@@ -166,7 +166,12 @@ class Endurance:
             else:
                 self.hands("rest").press("toolbar/overlay." + name)
         self.app.key("q")
+        if facts["loop"] != "off":
+            self.app.key("shift+l")
         self.open(self.reference)
+        self.app.key("shift+space")
+        if self.app.fact("playing") != "yes":
+            self.app.key("space")
         self.app.press("inspector/tab/Selection")
         self.app.press("notes/tab/Probes")
         self.app.wait("the reference to play", lambda: float(self.app.fact("time") or 0) > 2.5, acts.FRAME_PATIENCE_S)
