@@ -1,4 +1,4 @@
-# Dependencies are the system's packages (Debian 12 names in ./run). Where one is missing, the same
+# Dependencies are the system's packages (Debian 12 names in scripts/packages.sh). Where one is missing, the same
 # release is fetched at a pinned tag instead, so that other systems can build too.
 include(FetchContent)
 find_package(Threads REQUIRED)

@@ -18,6 +18,12 @@ add_library(windloom_options INTERFACE)
 # Results must not depend on the compiler contracting a*b+c differently per build: the CPU solver
 # promises the same bytes for the same input.
 target_compile_options(windloom_options INTERFACE -ffp-contract=off)
+# Messages of broken contracts name their file from the repository's root, so that no installed program holds paths of the
+# machine that built it. A sanitizer's reports are for that machine.
+add_library(windloom_paths INTERFACE)
+if(NOT WINDLOOM_SANITIZE)
+  target_compile_options(windloom_paths INTERFACE -fmacro-prefix-map=${CMAKE_SOURCE_DIR}/=)
+endif()
 if(WINDLOOM_SANITIZE)
   target_compile_options(windloom_options INTERFACE -fsanitize=${WINDLOOM_SANITIZE} -fno-sanitize-recover=all
     -fno-omit-frame-pointer -g1)

@@ -8,7 +8,8 @@ build_packages="g++ cmake ninja-build ccache pkg-config git
   libegl1 libgl1 libgl1-mesa-dri"
 
 test_packages="libgtest-dev libbenchmark-dev xvfb xdotool x11-utils imagemagick clang libclang-rt-dev
-  openexr zstd valgrind libc6-dbg python3 python3-numpy python3-jsonschema python3-openvdb python3-xlib glslang-tools spirv-cross"
+  openexr zstd valgrind libc6-dbg python3 python3-numpy python3-jsonschema python3-openvdb python3-xlib glslang-tools spirv-cross
+  man-db groff-base zsh desktop-file-utils shared-mime-info appstream libglib2.0-bin xdg-utils dpkg-dev file debootstrap"
 
 # ensure_packages NAME...: installs what is missing, as root or through sudo; quiet and quick when
 # nothing is.

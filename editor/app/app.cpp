@@ -11,6 +11,7 @@
 
 #include "editor/app/frame_picture.hpp"
 #include "editor/app/keys.hpp"
+#include "editor/app/user_folders.hpp"
 #include "editor/core/help_page.hpp"
 #include "editor/panels/grass_view.hpp"
 #include "editor/widgets/number_field.hpp"
@@ -22,13 +23,6 @@
 namespace windloom::editor {
 
 namespace {
-
-/// $VARIABLE/windloom, or windloom in the fallback below the home folder.
-std::filesystem::path userFolder(const char* variable, const char* fallback) {
-  if (const char* set = std::getenv(variable); set && set[0] != 0) return std::filesystem::path(set) / "windloom";
-  const char* home = std::getenv("HOME");
-  return std::filesystem::path(home ? home : ".") / fallback / "windloom";
-}
 
 /// By then the project before and its wind and grass are gone.
 constexpr double kTrimAfterS = 2;
@@ -46,16 +40,21 @@ bool leavesField(const InputEvent& event, Key key) {
 
 }  // namespace
 
-Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
-  const auto preferencesFile = userFolder("XDG_CONFIG_HOME", ".config") / "preferences.json";
+Result<std::unique_ptr<App>> App::create(const CommandLine& line, LogFile& log) {
+  const auto preferencesFile = configFolder() / "preferences.json";
   const Preferences preferences = line.unattended() ? Preferences{} : editor::readPreferences(preferencesFile);
   WindowOptions options;
-  options.width = line.width.value_or(int(preferences.number("window.width", options.width)));
-  options.height = line.height.value_or(int(preferences.number("window.height", options.height)));
+  // A file that someone wrote by hand may ask for any size.
+  const auto pixels = [&](const char* name, int least, int usual) {
+    const double kept = preferences.number(name, usual);
+    return kept >= least && kept <= 16384 ? int(kept) : usual;
+  };
+  options.width = line.width.value_or(pixels("window.width", 320, options.width));
+  options.height = line.height.value_or(pixels("window.height", 240, options.height));
   options.maximised = !line.width && preferences.number("window.maximised", 0) != 0;
   auto window = Window::create(options);
   if (!window) return window.error();
-  std::unique_ptr<App> app(new App(line, std::move(window).value()));
+  std::unique_ptr<App> app(new App(line, log, std::move(window).value()));
   app->m_preferencesFile = preferencesFile;
   auto live = LiveView::create();
   if (!live) return live.error();
@@ -72,10 +71,11 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line) {
   return app;
 }
 
-App::App(const CommandLine& line, std::unique_ptr<Window> window)
+App::App(const CommandLine& line, LogFile& log, std::unique_ptr<Window> window)
     : m_line(line),
       m_window(std::move(window)),
-      m_autosave(userFolder("XDG_STATE_HOME", ".local/state") / "autosave", std::to_string(::getpid())) {
+      m_log(log),
+      m_autosave(stateFolder() / "autosave", std::to_string(::getpid())) {
   ImGui::GetIO().UserData = &m_look;
   if (!line.uiMap.empty()) m_look.map.setFile(line.uiMap);
 }
@@ -112,7 +112,7 @@ void App::connect() {
     m_workspace.preferences.usedFile(path);
     writePreferences();
   };
-  if (!m_line.unattended()) m_dialogs.offerRescues(findRescues(m_autosave.sideFile().parent_path()));
+  if (!m_line.unattended()) m_dialogs.offerRescues(findRescues(m_autosave.folder()));
 }
 
 void App::readPreferences() {
@@ -182,14 +182,15 @@ int App::run() {
   while (!m_exit) {
     if (m_lookChanged) applyLook();
     m_window->beginFrame(waitSeconds(), typingPending());
-    frame();
+    if (!tryFrame()) continue;
     if (m_window->closeRequested()) {
       m_window->keepOpen();
       m_workspace.flow.requestQuit();
     }
     if (m_workspace.flow.quitConfirmed()) m_exit = 0;
   }
-  if (m_lastWords.empty()) m_autosave.finish();  // else the side file is what the work is kept in
+  // Else the side file is what the work is kept in.
+  if (m_troubledFrames == 0 && m_lastWords.empty()) m_autosave.finish();
   writePreferences();
   return *m_exit;
 }

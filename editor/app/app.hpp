@@ -27,8 +27,8 @@ namespace windloom::editor {
 
 class App {
  public:
-  /// Opens the window. Fails with Machine: no display, no OpenGL 4.5, no shaders.
-  static Result<std::unique_ptr<App>> create(const CommandLine& line);
+  /// Opens the window. `log` must outlive it. Fails with Machine: no display, no OpenGL 4.5, no shaders.
+  static Result<std::unique_ptr<App>> create(const CommandLine& line, LogFile& log);
   ~App();
 
   /// Until the window is closed. The exit status.
@@ -42,7 +42,7 @@ class App {
     float left = 220, right = 320, bottom = 215, timeline = 460;
   };
 
-  App(const CommandLine& line, std::unique_ptr<Window> window);
+  App(const CommandLine& line, LogFile& log, std::unique_ptr<Window> window);
   void connect();          // workspace to window, dialogs, live view
   void registerActions();  // what is not the core's: play, overlays, view, help
   void registerPlayActions();
@@ -58,6 +58,8 @@ class App {
 
   [[nodiscard]] int writeKeys() const;
   void frame();
+  bool tryFrame();
+  void memoryEnded();
   void passKeys();
   void runAfterFields();
   void drawInterface();
@@ -110,6 +112,7 @@ class App {
   double m_trimAtS = 0;       // when to give memory back; 0: not asked for
   long m_memoryFailures = 0;  // of OpenGL, that were told
   int m_frames = 0;
+  int m_troubledFrames = 0;     // one after the other in which memory ended
   double m_longestFrameS = 0;   // so far
   std::size_t m_heapBytes = 0;  // when last looked at
   std::string m_title, m_lastWords;

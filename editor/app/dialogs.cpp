@@ -1,7 +1,9 @@
 #include "editor/app/dialogs.hpp"
 
+#include <cstdlib>
 #include <initializer_list>
 
+#include "editor/core/kept_files.hpp"
 #include "editor/widgets/icons.hpp"
 #include "engine/core/log.hpp"
 
@@ -103,11 +105,41 @@ void Dialogs::drawOverwrite() {
   ImGui::EndPopup();
 }
 
+void Dialogs::drawChanged() {
+  if (!beginBox("Replace the newer file?", "changed on disk")) return;
+  const std::string name = m_workspace.document.path().filename().string();
+  wrapped("Another program has changed " + name +
+          " since it was opened here. Saving replaces those changes; the file as it "
+          "is now stays as " +
+          name + ".bak.");
+  const int chosen = buttonRow({"Save under another name", "Replace", "Cancel"});
+  if (chosen == 0) m_workspace.flow.answerChanged(ChangedAnswer::AnotherName);
+  if (chosen == 1) m_workspace.flow.answerChanged(ChangedAnswer::Replace);
+  if (chosen == 2) m_workspace.flow.answerChanged(ChangedAnswer::Cancel);
+  ImGui::EndPopup();
+}
+
 void Dialogs::drawStopWork() {
   if (!beginBox("Quit?", "stop work")) return;
   wrapped(m_workspace.flow.workUnderWay() + " is still running. Quitting stops it; nothing of it is kept.");
   const int chosen = buttonRow({"Keep running", "Stop and quit"}, 0);
   if (chosen >= 0) m_workspace.flow.answerStopWork(chosen == 1);
+  ImGui::EndPopup();
+}
+
+void Dialogs::drawOutside() {
+  if (!beginBox("Files outside the project's folder", "outside")) return;
+  std::string files;
+  for (const Problem& problem : m_workspace.document.missing())
+    files += problem.pointer + ": " + problem.message + "\n";
+  look().map.fact("dialog.text", files);
+  wrapped(files);
+  wrapped(
+      "The project is shown without them, and keeps their names. A project can come from anyone: allow this only for "
+      "one that you trust. It is remembered for the folder " +
+      m_workspace.document.path().parent_path().string() + " and can be taken back in the File menu.");
+  const int chosen = buttonRow({"Leave them out", "Read them"}, 0);
+  if (chosen >= 0) m_workspace.flow.answerOutside(chosen == 1);
   ImGui::EndPopup();
 }
 
@@ -128,7 +160,10 @@ void Dialogs::drawRescue() {
   bool handled = false;
   switch (buttonRow({"Restore", "Discard", m_showChanges ? "Later" : "Show what changed"})) {
     case 0:
-      if (const Status status = restoreRescue(m_workspace.document, rescue); !status) showError(status.error().text());
+      if (const Status status =
+              restoreRescue(m_workspace.document, rescue, m_workspace.preferences.outsideFor(rescue.original));
+          !status)
+        showError(status.error().text());
       handled = true;
       break;
     case 1:
@@ -154,6 +189,9 @@ void Dialogs::drawRescue() {
 }
 
 std::filesystem::path Dialogs::startFolder() const {
+  const bool saving = m_workspace.flow.prompt() == Prompt::ChooseSavePath;
+  if (const char* home = std::getenv("HOME"); saving && home && !whyKept(m_workspace.document.path()).empty())
+    return std::filesystem::path(home) / "";
   if (!m_workspace.document.path().empty()) return m_workspace.document.path().parent_path() / "";
   const auto& recent = m_workspace.preferences.recentFiles;
   if (!recent.empty()) return std::filesystem::path(recent.front()).parent_path() / "";
@@ -174,7 +212,10 @@ void Dialogs::followFileChoice() {
                                                  : m_workspace.document.path().filename().string();
     m_browser.open(opening ? FileBrowser::Purpose::Open : FileBrowser::Purpose::Save,
                    opening ? "Open a project" : "Save the project as", startFolder() / name, ".wind.json");
+    m_why = opening ? std::string() : whyKept(m_workspace.document.path());
+    m_browser.explain(m_why);
   }
+  look().map.fact("dialog.text", m_why);
   const auto path = m_browser.draw();
   if (path)
     m_workspace.flow.answerPath(*path);
@@ -191,8 +232,12 @@ void Dialogs::draw() {
       return drawSaveChanges();
     case Prompt::ConfirmOverwrite:
       return drawOverwrite();
+    case Prompt::ConfirmChanged:
+      return drawChanged();
     case Prompt::StopWork:
       return drawStopWork();
+    case Prompt::OutsideFiles:
+      return drawOutside();
     case Prompt::ChooseOpenPath:
     case Prompt::ChooseSavePath:
     case Prompt::None:

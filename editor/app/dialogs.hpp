@@ -28,12 +28,15 @@ class Dialogs {
   void drawSaveChanges();
   void drawOverwrite();
   void drawRescue();
+  void drawChanged();
   void drawStopWork();
+  void drawOutside();
   void followFileChoice();
   [[nodiscard]] std::filesystem::path startFolder() const;
 
   Workspace& m_workspace;
   FileBrowser m_browser;
+  std::string m_why;  // the project can't be saved where it is
   std::deque<std::string> m_errors;
   std::vector<Rescue> m_rescues;
   std::vector<std::string> m_rescueChanges;

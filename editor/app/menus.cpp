@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <iterator>
+#include <set>
 #include <string>
 
 #include "editor/panels/grass_view.hpp"
@@ -56,19 +57,23 @@ void camerasMenu(Workspace& workspace) {
 }
 
 void samplesMenu(Workspace& workspace) {
-  if (!ImGui::BeginMenu("Samples")) return;
+  const bool open = ImGui::BeginMenu("Samples");
+  markItem("menu/Samples");
+  if (!open) return;
   const auto folder = findDataFolder("projects");
   std::error_code failed;
+  std::set<std::string> names;
   if (folder)
-    for (const auto& entry : std::filesystem::directory_iterator(*folder, failed)) {
-      const std::string name = entry.path().filename().string();
-      const auto file = entry.path() / (name + ".wind.json");
-      std::error_code ignored;
-      if (std::filesystem::is_regular_file(file, ignored) && ImGui::MenuItem(name.c_str()))
-        workspace.flow.requestOpen(file);
-    }
-  else
-    ImGui::TextDisabled("The samples folder was not found.");
+    for (const auto& entry : std::filesystem::directory_iterator(*folder, failed))
+      names.insert(entry.path().filename().string());
+  for (const std::string& name : names) {
+    const auto file = *folder / name / (name + ".wind.json");
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(file, ignored)) continue;
+    if (ImGui::MenuItem(name.c_str())) workspace.flow.requestOpen(file);
+    markItem("menu/sample:" + name);
+  }
+  if (!folder) ImGui::TextDisabled("The samples folder was not found.");
   ImGui::EndMenu();
 }
 

@@ -9,6 +9,8 @@
 
 #include <algorithm>
 
+#include "engine/core/file.hpp"
+#include "engine/io/image.hpp"
 #include "engine/gpu/context.hpp"
 
 namespace windloom::editor {
@@ -34,6 +36,9 @@ GLFWwindow* openWindow(const WindowOptions& options, int major, int minor) {
   glfwWindowHint(GLFW_CONTEXT_ROBUSTNESS, GLFW_LOSE_CONTEXT_ON_RESET);  // where the driver can tell
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
+  // What the desktop entry calls itself, so that its icon stands for the window.
+  glfwWindowHintString(GLFW_X11_CLASS_NAME, "windloom-editor");
+  glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "windloom-editor");
   glfwWindowHint(GLFW_MAXIMIZED, options.maximised ? GLFW_TRUE : GLFW_FALSE);
   return glfwCreateWindow(options.width, options.height, "Windloom", nullptr, nullptr);
 }
@@ -91,6 +96,20 @@ Error describeOldOpenGl(const std::string& reason) {
   return makeError(ErrorKind::Machine, std::move(message));
 }
 
+/// Of the sizes that title bars, docks and switchers take. Without the files the system shows its own.
+void setIcon(GLFWwindow* window) {
+  const auto folder = findDataFolder("icons");
+  if (!folder) return;
+  std::vector<Image> images;
+  for (const char* name : {"windloom-16.png", "windloom-32.png", "windloom-48.png", "windloom-128.png"}) {
+    auto image = readPng(*folder / name);
+    if (image && image->channels == 4) images.push_back(std::move(*image));
+  }
+  std::vector<GLFWimage> icons;
+  for (Image& image : images) icons.push_back({image.width, image.height, image.pixels.data()});
+  glfwSetWindowIcon(window, int(icons.size()), icons.data());
+}
+
 Window& ownerOf(GLFWwindow* window) {
   return *static_cast<Window*>(glfwGetWindowUserPointer(window));
 }
@@ -109,6 +128,7 @@ Result<std::unique_ptr<Window>> Window::create(const WindowOptions& options) {
   }
   glfwMakeContextCurrent(window);
   glfwSwapInterval(1);
+  setIcon(window);
   return std::unique_ptr<Window>(new Window(window));
 }
 

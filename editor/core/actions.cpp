@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "engine/io/json_document.hpp"
+
 namespace windloom::editor {
 namespace {
 
@@ -34,10 +36,10 @@ int matchScore(const std::string& text, const std::string& typed) {
 }
 
 /// One entry of a keymap: a text or an array of texts. Nothing where it is neither or no shortcut.
-std::optional<std::vector<Shortcut>> readShortcuts(const nlohmann::json& entry) {
+std::optional<std::vector<Shortcut>> readShortcuts(const JsonDocument& entry) {
   std::vector<Shortcut> shortcuts;
-  const nlohmann::json list = entry.is_array() ? entry : nlohmann::json::array({entry});
-  for (const nlohmann::json& item : list) {
+  const JsonDocument list = entry.is_array() ? entry : JsonDocument::array({entry});
+  for (const JsonDocument& item : list) {
     if (!item.is_string()) return std::nullopt;
     const auto shortcut = parseShortcut(item.get_ref<const std::string&>());
     if (!shortcut) return std::nullopt;
@@ -138,11 +140,13 @@ std::vector<std::string> ActionTable::search(std::string_view text) const {
 }
 
 Status ActionTable::applyKeymap(std::string_view json) {
-  const nlohmann::json map = nlohmann::json::parse(json, nullptr, false);
+  const Result<JsonDocument> parsed = parseJsonDocument(json, {});
+  const JsonDocument map = parsed ? *parsed : JsonDocument();
   if (!map.is_object()) return makeError(ErrorKind::BadInput, "the keymap is not a JSON object");
   Error error{ErrorKind::BadInput, {}};
   for (const auto& [id, entry] : map.items()) {
-    const auto found = std::find_if(m_actions.begin(), m_actions.end(), [&](const Action& a) { return a.id == id; });
+    const auto found =
+        std::find_if(m_actions.begin(), m_actions.end(), [&, &name = id](const Action& a) { return a.id == name; });
     if (found == m_actions.end()) {
       error.problems.push_back({"", "/" + id, "there is no such action"});
       continue;

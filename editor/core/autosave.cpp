@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,10 +12,12 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/out_of_memory.hpp"
 #include "engine/io/assets.hpp"
+#include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/terrain_file.hpp"
 
@@ -33,9 +36,28 @@ fs::path lockOf(const fs::path& sideFile) {
 int lockFile(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
   if (descriptor < 0) return -1;
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0) return descriptor;
+  struct stat found {};
+  // Another editor may have met it before it was locked, and cleared it away.
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && ::fstat(descriptor, &found) == 0 && found.st_nlink > 0)
+    return descriptor;
   ::close(descriptor);
   return -1;
+}
+
+/// Locks that killed editors left without a side file: nothing is to be rescued there.
+void clearLeftLocks(const fs::path& folder) {
+  std::error_code failed;
+  for (fs::directory_iterator it(folder, failed), end; !failed && it != end; it.increment(failed)) {
+    const fs::path path = it->path();
+    const std::string lockSuffix = std::string(kSuffix) + ".lock";
+    std::error_code ignored;
+    if (!path.string().ends_with(lockSuffix)) continue;
+    const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
+    if (descriptor < 0) continue;
+    const fs::path sideFile = fs::path(path).replace_extension();
+    if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 && !fs::exists(sideFile, ignored)) ::unlink(path.c_str());
+    ::close(descriptor);
+  }
 }
 
 bool ownerRuns(const fs::path& sideFile) {
@@ -59,17 +81,17 @@ struct SideFile {
   std::string project;
 };
 
-std::optional<std::string> textIn(const nlohmann::json& json, const char* key) {
+std::optional<std::string> textIn(const JsonDocument& json, const char* key) {
   const auto found = json.find(key);
   if (found == json.end() || !found->is_string()) return std::nullopt;
   return found->get_ref<const std::string&>();
 }
 
 Result<SideFile> readSideFile(const fs::path& path) {
-  // Escaped as a text, a project takes more room than as a file.
-  const Result<std::string> bytes = readFile(path, 4 * kMaxProjectBytes);
+  const Result<std::string> bytes = readFile(path, kMaxRescueBytes);
   if (!bytes) return bytes.error();
-  const nlohmann::json json = nlohmann::json::parse(*bytes, nullptr, false);
+  const Result<JsonDocument> parsed = parseJsonDocument(*bytes, path.string());
+  const JsonDocument json = parsed ? *parsed : JsonDocument();
   const Error broken = makeError(ErrorKind::BadInput, path.string(), {}, "is not a rescue file");
   if (!json.is_object() || textIn(json, "format") != kFormat) return broken;
   const auto original = textIn(json, "original"), savedAt = textIn(json, "savedAt"), project = textIn(json, "project");
@@ -79,12 +101,19 @@ Result<SideFile> readSideFile(const fs::path& path) {
 
 }  // namespace
 
-Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)) {
+Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(folder)), m_session(std::move(session)) {
   keepReserve();
+  claimFile();
+  clearLeftTemporaries(m_folder);
+  clearLeftLocks(m_folder);
+}
+
+/// A name of its own. Without one (the disk is full or away) the next write tries again.
+void Autosave::claimFile() {
   std::error_code ignored;
   if (!makeFolder(m_folder)) return;
   for (int number = 1; number < 100; ++number) {
-    std::string name = session;
+    std::string name = m_session;
     if (number > 1) name.append(1, '-').append(std::to_string(number));
     const fs::path file = m_folder / name.append(kSuffix);
     if (fs::exists(file, ignored)) continue;
@@ -163,6 +192,7 @@ constexpr std::size_t kReserveBytes = 16u << 20;
 void Autosave::begin(const Document& document) {
   m_writing.rescuedFrom = document.rescuedFrom();
   m_writing.stale = false;
+  if (m_file.empty()) claimFile();
   try {
     if (!m_file.empty()) {
       m_writing.done =
@@ -197,6 +227,7 @@ Status Autosave::writeNow(const Document& document) noexcept {
 Status Autosave::writeHere(const Document& document) {
   static_cast<void>(wait());  // what it has to tell is older than this
   if (!document.dirty()) return Done{};
+  if (m_file.empty()) claimFile();
   if (m_file.empty()) return noFolder(m_folder);
   const Status status = writeSideFile(m_file, document.committed(), originalOf(document));
   if (!status) return status;
@@ -257,17 +288,18 @@ std::vector<Rescue> findRescues(const fs::path& folder) {
   return rescues;
 }
 
-Status restoreRescue(Document& document, const Rescue& rescue) {
+Status restoreRescue(Document& document, const Rescue& rescue, OutsideFiles outside) {
   const Result<SideFile> file = readSideFile(rescue.sideFile);
   if (!file) return file.error();
   Result<LoadedProject> loaded = parseProject(file->project, rescue.sideFile.string());
   if (!loaded) return loaded.error();
   if (!rescue.original.empty()) {
-    if (const Status terrain = loadTerrain(loaded->project, rescue.original); !terrain)
+    if (const Status terrain = loadTerrain(loaded->project, rescue.original, outside); !terrain)
       logWarning(terrain.error().text());
-    if (const Status assets = loadAssets(loaded->project, rescue.original); !assets) logWarning(assets.error().text());
+    if (const Status assets = loadAssets(loaded->project, rescue.original, outside); !assets)
+      logWarning(assets.error().text());
   }
-  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile);
+  document.recover(std::move(loaded->project), rescue.original, rescue.sideFile, outside);
   return Done{};
 }
 

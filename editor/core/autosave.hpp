@@ -11,12 +11,15 @@
 
 #include "editor/core/document.hpp"
 #include "editor/core/project_changes.hpp"
+#include "engine/io/project_json.hpp"
 
 namespace windloom::editor {
 
 // A crash may cost at most 25 edits or 2 minutes: begun a little earlier, a write has its own time in that, too.
 inline constexpr std::uint64_t kAutosaveEdits = 20;
 inline constexpr double kAutosaveSeconds = 110;
+/// Of a side file. Escaped as a text, a project takes more room than as a file.
+inline constexpr std::uint64_t kMaxRescueBytes = 4 * kMaxProjectBytes;
 
 /// Writes side files into a folder of the app's choice, one for each running editor, on a thread of its own: a slow
 /// disk doesn't hold up a frame. A lock file beside it, held while this lives, tells other editors that its owner runs.
@@ -42,6 +45,7 @@ class Autosave {
   Status wait();
   /// The editor closes in order: the side file goes.
   void finish();
+  [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
   [[nodiscard]] const std::filesystem::path& sideFile() const { return m_file; }
 
  private:
@@ -50,6 +54,7 @@ class Autosave {
     std::filesystem::path rescuedFrom;  // of the project that is written
     bool stale = false;                 // the user's own file became newer meanwhile
   };
+  void claimFile();
   void begin(const Document& document);
   void keepReserve();
   Status writeHere(const Document& document);
@@ -57,7 +62,9 @@ class Autosave {
   void removeFile();
   void dropRescued(const std::filesystem::path& rescued);
 
-  std::filesystem::path m_folder, m_file, m_lockFile;
+  std::filesystem::path m_folder;
+  std::string m_session;
+  std::filesystem::path m_file, m_lockFile;  // empty where none could be made yet
   int m_lock = -1;
   Writing m_writing;
   std::filesystem::path m_seenRescue, m_dropped;  // rescued side files: met, and removed
@@ -78,7 +85,7 @@ struct Rescue {
 std::vector<Rescue> findRescues(const std::filesystem::path& folder);
 /// Takes it into the document (dirty). On failure the document stays. The side file stays until Autosave has
 /// written its own or the project is saved.
-Status restoreRescue(Document& document, const Rescue& rescue);
+Status restoreRescue(Document& document, const Rescue& rescue, OutsideFiles outside = OutsideFiles::Refuse);
 /// Removes the side file: the user doesn't want it.
 void discardRescue(const Rescue& rescue);
 /// What differs between the user's file and the side file, one line each; the reason where either can't be read.

@@ -24,7 +24,7 @@ void pasteAtPointer(Workspace& workspace) {
   }
   // Meshes that this project's folder has come along; others are shown as missing.
   if (!workspace.document.path().empty()) {
-    if (const Status read = loadAssets(pieces->project, workspace.document.path()); !read)
+    if (const Status read = loadAssets(pieces->project, workspace.document.path(), workspace.document.outside()); !read)
       logWarning(read.error().text());
   }
   const std::vector<Id> ids = selectableIds(pieces->project);

@@ -14,6 +14,26 @@ namespace {
 
 constexpr float kStepFactor = 1.1f;  // one press of a strength or radius key
 
+/// Allowed or not for this project's folder; the project is opened again, so that its files are read or not.
+void toggleOutside(Workspace& w) {
+  const std::filesystem::path path = w.document.path();
+  const bool allowed = w.preferences.outsideFor(path) == OutsideFiles::Allow;
+  w.preferences.setOutside(path, allowed ? OutsideFiles::Refuse : OutsideFiles::Allow);
+  w.flow.requestOpen(path);
+}
+
+void addOutsideAction(Adder& file) {
+  Workspace* w = &file.w;
+  Action action{.id = "file.outside",
+                .label = "Read files outside its folder",
+                .category = {},
+                .help = "Lets projects of this folder have files read that lie elsewhere, such as a shared library"};
+  action.run = [w] { toggleOutside(*w); };
+  action.enabled = [w] { return !w->document.path().empty(); };
+  action.checked = [w] { return w->preferences.outsideFor(w->document.path()) == OutsideFiles::Allow; };
+  file.add(std::move(action), {});
+}
+
 void addFileActions(Workspace& workspace) {
   Adder file(workspace, "File");
   file.always("file.new", "New", "Starts an empty project", {"Ctrl+N"}, [](Workspace& w) { w.flow.requestNew(); });
@@ -22,6 +42,7 @@ void addFileActions(Workspace& workspace) {
               [](Workspace& w) { w.flow.requestSave(); });
   file.always("file.save_as", "Save as...", "Writes the project to another file", {"Ctrl+Shift+S"},
               [](Workspace& w) { w.flow.requestSaveAs(); });
+  addOutsideAction(file);
   file.always("file.quit", "Quit", "Closes the editor", {"Ctrl+Q"}, [](Workspace& w) { w.flow.requestQuit(); });
 }
 

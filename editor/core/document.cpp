@@ -3,6 +3,7 @@
 #include "engine/core/log.hpp"
 #include "engine/io/asset_copy.hpp"
 #include "engine/io/project_json.hpp"
+#include "engine/model/asset_names.hpp"
 
 namespace windloom::editor {
 
@@ -78,22 +79,36 @@ void Document::startNew(Project start) {
   endPreview();
   m_history = History(std::move(start));
   m_missing.clear();
+  m_outside = OutsideFiles::Refuse;
+  m_outsideRefused = false;
   m_path.clear();
+  m_stamp = {};
   m_rescuedFrom.clear();
   committedChanged();
 }
 
-Status Document::open(const std::filesystem::path& path) {
-  Result<LoadedProject> loaded = loadProject(path);
+Status Document::open(const std::filesystem::path& path, OutsideFiles outside) {
+  // Taken before: a change while it is read counts as one after it.
+  const FileStamp stamp = stampOf(path);
+  Result<LoadedProject> loaded = loadProject(path, outside);
   if (!loaded) return loaded.error();
   for (const Problem& warning : loaded->warnings) logWarning(warning.text());
   m_missing = std::move(loaded->missing);
+  m_outside = outside;
+  m_outsideRefused = loaded->outsideRefused;
   endPreview();
   m_history = History(std::move(loaded->project));
   m_path = path;
+  m_stamp = stamp;
   m_rescuedFrom.clear();
   committedChanged();
   return Done{};
+}
+
+bool Document::changedOnDisk() const {
+  if (m_path.empty()) return false;
+  const FileStamp now = stampOf(m_path);
+  return now.exists && now != m_stamp;
 }
 
 Status Document::save() {
@@ -107,23 +122,33 @@ Status Document::saveAs(const std::filesystem::path& path) {
     const auto folderOf = [&](const std::filesystem::path& file) {
       return std::filesystem::absolute(file, ignored).parent_path();
     };
-    const Status copied = copyAssetsAlong(assetFiles(committed()), folderOf(m_path), folderOf(path));
+    const std::vector<std::string> files = assetFiles(committed());
+    const Status copied = copyAssetsAlong(files, folderOf(m_path), folderOf(path), m_outside);
     if (!copied) return copied;
+    for (const std::string& file : files) {
+      if (folderOf(m_path) != folderOf(path) && !outsideReason(file).empty())
+        logWarning("'" + file + "' lies outside the project's folder: it stays where it is, and so does its name");
+    }
   }
   const Status status = saveProject(committed(), path);
   if (!status) return status;
   m_path = path;
+  m_stamp = stampOf(path);
   m_history.markSaved();
   touched();
   return status;
 }
 
-void Document::recover(Project project, std::filesystem::path path, std::filesystem::path sideFile) {
+void Document::recover(Project project, std::filesystem::path path, std::filesystem::path sideFile,
+                       OutsideFiles outside) {
   endPreview();
   m_history = History(std::move(project));
   m_history.markUnsaved();
   m_path = std::move(path);
+  m_stamp = stampOf(m_path);
   m_rescuedFrom = std::move(sideFile);
+  m_outside = outside;
+  m_outsideRefused = false;
   committedChanged();
 }
 

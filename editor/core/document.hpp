@@ -6,8 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "editor/core/file_stamp.hpp"
 #include "editor/core/history.hpp"
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 #include "engine/model/edit.hpp"
 
 namespace windloom::editor {
@@ -54,15 +56,24 @@ class Document {
   /// An empty project, or `start` (a template), clean and without a file.
   void startNew(Project start = {});
   /// On failure the document stays as it was. Warnings of the reader (unknown keys) go to the log.
-  Status open(const std::filesystem::path& path);
+  /// Files of the project outside its folder are read only where `outside` allows it.
+  Status open(const std::filesystem::path& path, OutsideFiles outside = OutsideFiles::Refuse);
+  /// What it was opened with.
+  [[nodiscard]] OutsideFiles outside() const { return m_outside; }
+  /// Some of missing() lie outside the project's folder, and that was not allowed.
+  [[nodiscard]] bool outsideRefused() const { return m_outsideRefused; }
   /// Files that the project as it was opened names and that couldn't be read; it is open all the same.
   [[nodiscard]] const std::vector<Problem>& missing() const { return m_missing; }
+  /// Another program wrote the file, or put another in its place, since it was read or saved here: saving would replace
+  /// what this document never saw. A file that is gone has not changed.
+  [[nodiscard]] bool changedOnDisk() const;
   /// Fails with Usage where there is no path. On failure the old file is intact, the project still dirty.
   Status save();
   /// Takes the path over only on success. Into another folder the project's files go along.
   Status saveAs(const std::filesystem::path& path);
   /// Takes over a project rescued from a side file: dirty, belonging to `path` (may be empty).
-  void recover(Project project, std::filesystem::path path, std::filesystem::path sideFile);
+  void recover(Project project, std::filesystem::path path, std::filesystem::path sideFile,
+               OutsideFiles outside = OutsideFiles::Refuse);
   /// The side file that the open project was rescued from; empty for others. Autosave takes it over.
   [[nodiscard]] const std::filesystem::path& rescuedFrom() const { return m_rescuedFrom; }
 
@@ -76,7 +87,10 @@ class Document {
   Project m_preview;
   bool m_previewing = false;
   std::filesystem::path m_path, m_rescuedFrom;
+  FileStamp m_stamp;  // of the file as it was read or saved
   std::vector<Problem> m_missing;
+  OutsideFiles m_outside = OutsideFiles::Refuse;
+  bool m_outsideRefused = false;
   std::uint64_t m_revision = 1, m_edits = 0;
 };
 

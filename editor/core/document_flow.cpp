@@ -3,6 +3,8 @@
 #include <system_error>
 #include <utility>
 
+#include "editor/core/kept_files.hpp"
+
 namespace windloom::editor {
 namespace fs = std::filesystem;
 namespace {
@@ -12,6 +14,11 @@ fs::path withExtension(fs::path path) {
   if (path.extension() == ".json") return path;
   path += path.extension() == ".wind" ? ".json" : ".wind.json";
   return path;
+}
+
+/// It has no file, or one that it isn't to be saved to.
+bool needsPath(const Document& document) {
+  return document.path().empty() || !whyKept(document.path()).empty();
 }
 
 }  // namespace
@@ -33,10 +40,10 @@ void DocumentFlow::requestOpen(fs::path path) {
 
 void DocumentFlow::requestSave() {
   m_then = Then::Nothing;
-  if (m_document.path().empty()) {
+  if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(m_document.path());
+    saveToOwnFile();
   }
 }
 
@@ -81,15 +88,19 @@ void DocumentFlow::proceed() {
     m_prompt = Prompt::ChooseOpenPath;
   } else if (then == Then::Open) {
     const fs::path path = *std::exchange(m_openPath, std::nullopt);
-    const Status status = m_document.open(path);
+    const Status status = m_document.open(path, outsideFor ? outsideFor(path) : OutsideFiles::Refuse);
     if (!status) {
       fail(status.error());
       return;
     }
     if (onReplaced) onReplaced();
     if (onFileUsed) onFileUsed(path);
-    if (onDone) onDone("Opened " + path.filename().string());
-    if (!m_document.missing().empty()) {
+    const std::string why = whyKept(path);
+    if (onDone)
+      onDone("Opened " + path.filename().string() + (why.empty() ? "" : ". Saving will ask for a place: " + why));
+    if (m_document.outsideRefused()) {
+      m_prompt = Prompt::OutsideFiles;
+    } else if (!m_document.missing().empty()) {
       Error error{ErrorKind::BadInput, m_document.missing()};
       error.problems.push_back({{}, {}, "It is shown without them, and keeps their names."});
       fail(error);
@@ -103,10 +114,10 @@ void DocumentFlow::answerSaveChanges(SaveAnswer answer) {
     cancel();
   } else if (answer == SaveAnswer::DontSave) {
     proceed();
-  } else if (m_document.path().empty()) {
+  } else if (needsPath(m_document)) {
     m_prompt = Prompt::ChooseSavePath;
   } else {
-    saveTo(m_document.path());
+    saveToOwnFile();
   }
 }
 
@@ -118,13 +129,19 @@ void DocumentFlow::answerPath(fs::path path) {
     proceed();
   } else if (m_prompt == Prompt::ChooseSavePath) {
     path = withExtension(std::move(path));
+    if (const std::string why = whyKept(path); !why.empty()) {
+      fail(makeError(ErrorKind::BadInput, path.string(), {}, "can't be saved there: " + why));
+      return;  // the question stays
+    }
     std::error_code ignored;
     const bool other = path != m_document.path();
     m_path = std::move(path);
     if (other && fs::exists(m_path, ignored)) {
       m_prompt = Prompt::ConfirmOverwrite;
-    } else {
+    } else if (other) {
       saveTo(m_path);
+    } else {
+      saveToOwnFile();
     }
   }
 }
@@ -138,6 +155,17 @@ void DocumentFlow::answerOverwrite(bool overwrite) {
   }
 }
 
+void DocumentFlow::answerChanged(ChangedAnswer answer) {
+  if (m_prompt != Prompt::ConfirmChanged) return;
+  if (answer == ChangedAnswer::Replace) {
+    saveTo(m_document.path());
+  } else if (answer == ChangedAnswer::AnotherName) {
+    m_prompt = Prompt::ChooseSavePath;
+  } else {
+    cancel();
+  }
+}
+
 void DocumentFlow::answerStopWork(bool stop) {
   if (m_prompt != Prompt::StopWork) return;
   if (stop) {
@@ -147,11 +175,29 @@ void DocumentFlow::answerStopWork(bool stop) {
   }
 }
 
+void DocumentFlow::answerOutside(bool allow) {
+  if (m_prompt != Prompt::OutsideFiles) return;
+  cancel();
+  if (!allow) return;
+  const fs::path path = m_document.path();
+  if (onAllowOutside) onAllowOutside(path);
+  requestOpen(path);
+}
+
 void DocumentFlow::cancel() {
   m_prompt = Prompt::None;
   m_then = Then::Nothing;
   m_openPath.reset();
   m_start = Project{};
+}
+
+/// Over a file that is no longer the one that was read only when that was asked for.
+void DocumentFlow::saveToOwnFile() {
+  if (m_document.changedOnDisk()) {
+    m_prompt = Prompt::ConfirmChanged;
+  } else {
+    saveTo(m_document.path());
+  }
 }
 
 void DocumentFlow::saveTo(const fs::path& target) {

@@ -17,9 +17,12 @@ enum class Prompt {
   ChooseOpenPath,    ///< a file to open: answerPath
   ChooseSavePath,    ///< where to save: answerPath
   ConfirmOverwrite,  ///< pendingPath() exists: answerOverwrite
+  ConfirmChanged,    ///< another program changed the document's file: answerChanged
   StopWork,          ///< quitting would stop workUnderWay(): answerStopWork
+  OutsideFiles,      ///< what was opened names files outside its folder, see Document::missing: answerOutside
 };
 enum class SaveAnswer { Save, DontSave, Cancel };
+enum class ChangedAnswer { Replace, AnotherName, Cancel };
 
 class DocumentFlow {
  public:
@@ -29,7 +32,7 @@ class DocumentFlow {
   void requestNew(Project start = {});           ///< `start`: a template
   void requestOpen();                            ///< asks for the path
   void requestOpen(std::filesystem::path path);  ///< recent file, drop, command line
-  void requestSave();                            ///< asks for a path where there is none
+  void requestSave();                            ///< asks for a path where there is none or a kept one (kept_files.hpp)
   void requestSaveAs();
   void requestQuit();
 
@@ -39,14 +42,20 @@ class DocumentFlow {
   /// Adds ".wind.json" to a save path that doesn't end in ".json".
   void answerPath(std::filesystem::path path);
   void answerOverwrite(bool overwrite);  ///< false: asks for another path
-  void answerStopWork(bool stop);        ///< false: nothing happens
-  void cancel();                         ///< from any prompt; nothing happens
+  void answerChanged(ChangedAnswer answer);
+  void answerStopWork(bool stop);  ///< false: nothing happens
+  void answerOutside(bool allow);  ///< true: remembered by onAllowOutside, and the project is opened again
+  void cancel();                   ///< from any prompt; nothing happens
 
   /// A confirmed quit: the app may close its window.
   [[nodiscard]] bool quitConfirmed() const { return m_quit; }
 
   /// What runs beside the window and would be lost by quitting, such as "An export"; empty: nothing does.
   std::function<std::string()> workUnderWay;
+  /// Whether the user allowed files outside the folder of this project file; unset: no.
+  std::function<OutsideFiles(const std::filesystem::path&)> outsideFor;
+  /// Called when the user allows them.
+  std::function<void(const std::filesystem::path&)> onAllowOutside;
   /// Called after each finished operation: an Error to show, or a line such as "Saved meadow.wind.json".
   std::function<void(const Error&)> onFailure;
   std::function<void(const std::string&)> onDone;
@@ -61,6 +70,7 @@ class DocumentFlow {
   void askToSave();
   void proceed();
   void fail(const Error& error);
+  void saveToOwnFile();
   void saveTo(const std::filesystem::path& path);
 
   Document& m_document;

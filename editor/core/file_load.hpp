@@ -6,12 +6,12 @@
 #include <functional>
 #include <memory>
 #include <mutex>
-#include <new>
 #include <optional>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include "engine/core/out_of_memory.hpp"
 #include "engine/core/result.hpp"
 #include "engine/io/terrain_file.hpp"
 
@@ -94,11 +94,7 @@ class FileLoad {
   }
   /// A file within the limits may still ask for more memory than there is: no reason to lose the editor's work.
   static Result<Value> orSay(const std::filesystem::path& file, const Work& work, const LoadWatch& watch) {
-    try {
-      return work(watch);
-    } catch (const std::bad_alloc&) {
-      return makeError(ErrorKind::Machine, file.string(), {}, "can't be read: there is not enough memory");
-    }
+    return orOutOfMemory(file.string(), [&] { return work(watch); });
   }
 
   std::shared_ptr<Job> m_job;

@@ -6,13 +6,12 @@
 #include <system_error>
 
 #include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
 
 namespace windloom::editor {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 namespace {
-
-constexpr std::uint64_t kMaxBytes = 4u << 20;
 
 /// Reads values one by one; what has the wrong type is noted and left at its default.
 class Reader {
@@ -41,11 +40,11 @@ bool takeScale(const ordered_json& value, float& scale) {
   return true;
 }
 
-bool takeRecent(const ordered_json& value, std::vector<std::string>& files) {
+bool takePaths(const ordered_json& value, std::size_t most, std::vector<std::string>& paths) {
   if (!value.is_array()) return false;
-  for (const ordered_json& file : value) {
-    if (!file.is_string()) return false;
-    if (files.size() < kMaxRecent) files.push_back(file.get_ref<const std::string&>());
+  for (const ordered_json& path : value) {
+    if (!path.is_string()) return false;
+    if (paths.size() < most) paths.push_back(path.get_ref<const std::string&>());
   }
   return true;
 }
@@ -106,14 +105,28 @@ void Preferences::forgetFile(const fs::path& path) {
   std::erase(recentFiles, absolutePath(path).string());
 }
 
+OutsideFiles Preferences::outsideFor(const fs::path& projectFile) const {
+  const std::string folder = absolutePath(projectFile).parent_path().string();
+  return std::ranges::find(outsideAllowed, folder) != outsideAllowed.end() ? OutsideFiles::Allow : OutsideFiles::Refuse;
+}
+
+void Preferences::setOutside(const fs::path& projectFile, OutsideFiles outside) {
+  const std::string folder = absolutePath(projectFile).parent_path().string();
+  std::erase(outsideAllowed, folder);
+  if (outside == OutsideFiles::Refuse) return;
+  if (outsideAllowed.size() >= kMaxTrusted) outsideAllowed.erase(outsideAllowed.begin());
+  outsideAllowed.push_back(folder);
+}
+
 Preferences readPreferences(const fs::path& path, std::vector<std::string>* warnings) {
   Preferences preferences;
   std::error_code ignored;
   if (!fs::exists(path, ignored)) return preferences;
-  const Result<std::string> bytes = readFile(path, kMaxBytes);
-  const ordered_json json = bytes ? ordered_json::parse(*bytes, nullptr, false) : ordered_json();
+  const Result<std::string> bytes = readFile(path, kMaxPreferencesBytes);
+  const Result<ordered_json> parsed = bytes ? parseJsonDocument(*bytes, path.string()) : bytes.error();
+  const ordered_json json = parsed ? *parsed : ordered_json();
   Reader reader(json, warnings);
-  if (!bytes) reader.warn(bytes.error().text());
+  if (!parsed) reader.warn(parsed.error().text());
   if (!json.is_object()) {
     if (bytes) reader.warn(path.string() + " is not a JSON object, the defaults are used");
     return preferences;
@@ -122,7 +135,9 @@ Preferences readPreferences(const fs::path& path, std::vector<std::string>* warn
   reader.read("interfaceScale", "0 or a number from 0.5 to 4",
               [&](const auto& v) { return takeScale(v, preferences.interfaceScale); });
   reader.read("recentFiles", "an array of paths",
-              [&](const auto& v) { return takeRecent(v, preferences.recentFiles); });
+              [&](const auto& v) { return takePaths(v, kMaxRecent, preferences.recentFiles); });
+  reader.read("outsideAllowed", "an array of folders",
+              [&](const auto& v) { return takePaths(v, kMaxTrusted, preferences.outsideAllowed); });
   reader.read("keymap", "an object", [&](const auto& v) {
     if (v.is_object()) preferences.keymap = v.dump();
     return v.is_object();
@@ -141,8 +156,9 @@ Status writePreferences(const fs::path& path, const Preferences& preferences) {
   json["theme"] = preferences.theme == Theme::Light ? "light" : "dark";
   json["interfaceScale"] = static_cast<double>(preferences.interfaceScale);
   json["recentFiles"] = preferences.recentFiles;
-  ordered_json keymap = ordered_json::parse(preferences.keymap, nullptr, false);
-  json["keymap"] = keymap.is_object() ? std::move(keymap) : ordered_json::object();
+  json["outsideAllowed"] = preferences.outsideAllowed;
+  const Result<ordered_json> keymap = parseJsonDocument(preferences.keymap, "keymap");
+  json["keymap"] = keymap && keymap->is_object() ? *keymap : ordered_json::object();
   ordered_json numbers = ordered_json::object();
   for (const auto& [name, value] : preferences.numbers) {
     if (std::isfinite(value)) numbers[name] = value;

@@ -1,12 +1,14 @@
 #pragma once
 // What the editor remembers between runs: a small JSON file. The app says where it lies.
 
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <string>
 #include <vector>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 
 namespace windloom::editor {
 
@@ -19,14 +21,21 @@ struct Preferences {
   std::string keymap = "{}";              ///< JSON object for ActionTable::applyKeymap
   std::map<std::string, double> numbers;  ///< whatever a panel wants to remember: "layout.leftWidth", "view.overlays"
   std::map<std::string, std::string> texts;  ///< the same for words: "export.preset"
+  /// Folders whose projects may have files read that lie outside them; at most kMaxTrusted, the oldest go first.
+  std::vector<std::string> outsideAllowed;
   bool firstRunHintSeen = false;
 
   [[nodiscard]] double number(const std::string& name, double fallback) const;
   [[nodiscard]] std::string text(const std::string& name, const std::string& fallback) const;
   void usedFile(const std::filesystem::path& path);  ///< puts it first in recentFiles
   void forgetFile(const std::filesystem::path& path);
+  /// Of the folder of a project file.
+  [[nodiscard]] OutsideFiles outsideFor(const std::filesystem::path& projectFile) const;
+  void setOutside(const std::filesystem::path& projectFile, OutsideFiles outside);
 };
 inline constexpr std::size_t kMaxRecent = 12;
+inline constexpr std::size_t kMaxTrusted = 200;
+inline constexpr std::uint64_t kMaxPreferencesBytes = 4u << 20;
 
 /// Reads as much as it can: a missing or broken file gives the defaults, wrong values their default.
 /// `warnings` gets a line for each thing that was not understood (not for a missing file).

@@ -24,6 +24,10 @@ Workspace::Workspace() {
       frame({});
     }
   };
+  flow.outsideFor = [this](const std::filesystem::path& path) { return preferences.outsideFor(path); };
+  flow.onAllowOutside = [this](const std::filesystem::path& path) {
+    preferences.setOutside(path, OutsideFiles::Allow);
+  };
   flow.onFileUsed = [this](const std::filesystem::path& path) { preferences.usedFile(path); };
   followGround();
   registerCoreActions(*this);
@@ -157,6 +161,13 @@ bool Workspace::loadAsset(AssetTarget target, const std::filesystem::path& file)
   if (!mayLoadAsset()) return false;
   assetLoad.start(std::move(target), file, document.path());
   return true;
+}
+
+std::optional<std::filesystem::path> Workspace::ownFile(const std::string& name) {
+  const Result<std::filesystem::path> file = findAsset(document.path(), name, document.outside());
+  if (file) return *file;
+  say(MessageKind::Warning, file.error().text());
+  return std::nullopt;
 }
 
 void Workspace::takeAsset() {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -77,6 +78,8 @@ class Workspace {
   /// selected.
   bool loadAsset(AssetTarget target, const std::filesystem::path& file);
   bool mayLoadAsset();
+  /// Where a file lies that the project names; nothing where it may not be read, which is told.
+  std::optional<std::filesystem::path> ownFile(const std::string& name);
   void undo();
   void redo();
   void jumpTo(std::size_t historyEntry);
@@ -123,7 +126,8 @@ class Workspace {
 glm::vec2 freePlace(Workspace& workspace, float reachM);
 
 /// Adds file, edit, select, add, graph, tool and view actions to workspace.actions. The constructor calls it. Ids:
-/// file.new file.open file.save file.save_as file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
+/// file.new file.open file.save file.save_as file.outside
+/// file.quit; edit.undo edit.redo edit.copy edit.cut edit.paste
 /// edit.duplicate edit.duplicate_move edit.delete; select.all select.none select.invert select.linked;
 /// add.collider add.rotor add.moebius add.torus add.sphere add.hare add.tall_grass add.daisies add.poppies add.spikes;
 /// graph.extrude

@@ -48,7 +48,8 @@ void drawState(Workspace& workspace, const std::string& file, const AssetTarget&
   ImGui::PushTextWrapPos(0);
   ImGui::TextColored(look().palette.warning, "can't be read: it is left out. The project keeps its name.");
   ImGui::PopTextWrapPos();
-  if (smallButton("Try again", name + "/again")) workspace.loadAsset(target, pathOf(workspace, file));
+  if (!smallButton("Try again", name + "/again")) return;
+  if (const auto own = workspace.ownFile(file)) workspace.loadAsset(target, *own);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "editor/panels/export_panel.hpp"
 
+#include "editor/core/kept_files.hpp"
 #include "editor/core/size_text.hpp"
 #include "editor/panels/export_formats.hpp"
 #include "editor/panels/export_rows.hpp"
@@ -40,7 +41,7 @@ void ExportPanel::keepPreferences(Preferences& preferences) const {
 std::string ExportPanel::folderFor(const PanelContext& context) const {
   const std::filesystem::path& path = context.workspace.document.path();
   if (std::string chosen = exportFolder(context.workspace.preferences, path.string()); !chosen.empty()) return chosen;
-  if (path.empty()) return {};
+  if (path.empty() || !whyKept(path).empty()) return {};
   std::string stem = path.filename().string();
   stem = stem.substr(0, stem.find('.'));
   return (path.parent_path() / (stem + "-wind")).string();
@@ -171,7 +172,7 @@ void ExportPanel::drawRun(PanelContext& context, const BakeRequest& request) {
     if (!ready) {
       ImGui::PushTextWrapPos(0);
       ImGui::TextDisabled(request.formats.empty() ? "Choose at least one format."
-                                                  : "Save the project first, or type a folder.");
+                                                  : "Save the project first, in a folder of yours, or type a folder.");
       ImGui::PopTextWrapPos();
     }
   }

@@ -61,8 +61,9 @@ void ExportRun::start(Job job) {
     // An export that doesn't fit into memory is no reason to lose the editor's work.
     try {
       work(job);
-    } catch (const std::bad_alloc&) {
-      m_outcome = {Outcome::Kind::Failed, "There is not enough memory for this export.", job.request.folder};
+    } catch (const std::exception& failure) {
+      m_outcome = {Outcome::Kind::Failed, std::string("There is not enough memory for this export: ") + failure.what(),
+                   job.request.folder};
     }
     m_ended = true;
   });

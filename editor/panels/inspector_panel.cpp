@@ -108,7 +108,7 @@ bool waitsForFile(PanelContext& context, const AssetTarget& target, AssetChooser
   if (std::ranges::all_of(target.ids, ready)) return false;
   const std::string file = assetFileOf(project, target);
   if (target.ids.size() == 1 && !file.empty()) {
-    workspace.loadAsset(target, workspace.document.path().parent_path() / file);
+    if (const auto own = workspace.ownFile(file)) workspace.loadAsset(target, *own);
   } else {
     assets.browse(workspace, target);
   }

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/core/log.hpp"
+#include "engine/core/out_of_memory.hpp"
 
 namespace windloom::editor {
 namespace {
@@ -38,7 +39,7 @@ LivePublisher::State LivePublisher::state() const {
 }
 
 void LivePublisher::makeLink() {
-  Result<std::unique_ptr<LiveLink>> link = LiveLink::create(m_name);
+  Result<std::unique_ptr<LiveLink>> link = orOutOfMemory("the live link", [this] { return LiveLink::create(m_name); });
   const std::string problem = link ? std::string() : link.error().text();
   if (link) m_link = std::move(*link);
   const std::lock_guard lock(m_mutex);
@@ -60,9 +61,16 @@ void LivePublisher::work() {
     const LiveEdges edges = m_edges;
     lock.unlock();
     if (!m_link || !field) continue;
-    m_link->publish(field->grid, field->cells, field->time, edges);
+    const Status sent = orOutOfMemory("the live link", [&]() -> Status {
+      m_link->publish(field->grid, field->cells, field->time, edges);
+      return Done{};
+    });
     lock.lock();
-    ++m_state.published;
+    m_state.published += sent.ok();
+    if (sent) continue;
+    m_link.reset();  // made again a little later
+    m_state.open = false;
+    m_state.problem = sent.error().text();
   }
   m_link.reset();
 }

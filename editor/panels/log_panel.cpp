@@ -9,8 +9,11 @@ namespace {
 constexpr std::size_t kMaxLines = 2000;
 }
 
-LogPanel::LogPanel() {
-  setLogSink([this](LogLevel level, std::string_view text) { add(level, text); });
+LogPanel::LogPanel(LogFile& file) {
+  setLogSink([this, &file](LogLevel level, std::string_view text) {
+    file.add(level, text);
+    add(level, text);
+  });
 }
 
 LogPanel::~LogPanel() {

@@ -6,14 +6,15 @@
 #include <string>
 #include <string_view>
 
+#include "editor/core/log_file.hpp"
 #include "engine/core/log.hpp"
 
 namespace windloom::editor {
 
 class LogPanel {
  public:
-  /// Takes over every later log message of the program until it is destroyed.
-  LogPanel();
+  /// Takes over every later log message of the program until it is destroyed, and passes it to the file.
+  explicit LogPanel(LogFile& file);
   ~LogPanel();
   LogPanel(const LogPanel&) = delete;
   LogPanel& operator=(const LogPanel&) = delete;

@@ -32,7 +32,7 @@ void TerrainPanel::chooseKind(PanelContext& context, TerrainKind kind) {
     terrain.kind = kind;
     workspace.apply(Edit{.label = "Set terrain", .steps = {Set<TerrainSettings>{std::move(terrain)}}, .mergeKey = {}});
   } else if (!terrain.file.empty() && terrainKindOf(terrain.file) == kind) {
-    workspace.loadTerrain(fileOf(workspace));
+    if (const auto file = workspace.ownFile(terrain.file)) workspace.loadTerrain(*file);
   } else {
     browse(context);
   }
@@ -81,7 +81,9 @@ void TerrainPanel::drawState(PanelContext& context) {
   } else if (terrain.kind != TerrainKind::Flat) {
     ImGui::TextColored(look().palette.warning,
                        "%s can't be read: the ground is shown flat. The project keeps its name.", terrain.file.c_str());
-    if (ImGui::Button("Try again")) workspace.loadTerrain(fileOf(workspace));
+    if (ImGui::Button("Try again")) {
+      if (const auto file = workspace.ownFile(terrain.file)) workspace.loadTerrain(*file);
+    }
     markItem("inspector/terrain/again");
   } else {
     ImGui::TextDisabled(

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace windloom::editor {
@@ -15,6 +16,8 @@ class FileBrowser {
   /// Opens it in the folder of `start` with its file name filled in. `suffix` filters what is listed; several stand
   /// with ; between them.
   void open(Purpose purpose, std::string title, const std::filesystem::path& start, std::string suffix);
+  /// A line to read below the list, until another folder is entered; why a file is asked for.
+  void explain(std::string text) { m_problem = std::move(text); }
   [[nodiscard]] bool isOpen() const { return m_open; }
 
   /// Draws it while it is open. The path, once, when one was chosen.

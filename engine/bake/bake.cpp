@@ -7,11 +7,13 @@
 #include "engine/bake/frame_streams.hpp"
 #include "engine/bake/graph_gltf.hpp"
 #include "engine/bake/manifest.hpp"
+#include "engine/bake/publish.hpp"
 #include "engine/bake/sidecars.hpp"
 #include "engine/bake/work_folder.hpp"
-#include "engine/core/file.hpp"
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/file_limits.hpp"
 #include "engine/io/npy.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
@@ -25,6 +27,12 @@ using Json = nlohmann::ordered_json;
 
 /// Refuses what can't be written, before anything runs.
 Status requireWritable(const BakeRequest& request, const BakeHeader& header) {
+  const std::int64_t cells = std::int64_t{header.grid.resolution.x} * header.grid.resolution.y;
+  if (header.frames > kMaxBakeCells / cells) {
+    return makeError(ErrorKind::Usage, "that is " + std::to_string(header.frames) + " frames of " +
+                                           std::to_string(cells) + " cells, at most " + std::to_string(kMaxBakeCells) +
+                                           " cells can be baked in all; use less --seconds, --fps or --resolution");
+  }
   std::string whole;
   bool scale = false;
   for (const WriterKind* kind : request.formats) {
@@ -117,6 +125,7 @@ class Baker {
     m_seam = written->seam;
     Result<std::vector<std::vector<Json>>> groups = entriesOf(written->files);
     if (!groups) return groups.error();
+    tellOfOtherParts();
     if (m_request.part) return finishPart(std::move(*groups));
     std::vector<BakedFile> files;
     for (StreamFiles& group : written->files) std::ranges::move(group.files, std::back_inserter(files));
@@ -171,42 +180,16 @@ class Baker {
     }
     const ManifestFacts facts{m_header, m_seam, m_request.response, project.solver->source == WindSource::Card, m_plan};
     const std::string text = manifestText(facts, project, m_simulation.solver().backend(), entries);
-    if (Status written = writeFileAtomically(m_work / "manifest.json", text); !written) return written;
+    if (Status written = writeFileUnsynced(m_work / "manifest.json", text); !written) return written;
     if (Status synced = syncFiles(m_work); !synced) return synced;
-    for (const BakedFile& file : files) m_report.files.push_back(file.path);
-    const std::size_t frameFiles = m_report.files.size();
-    for (const BakedFile& file : extras) m_report.files.push_back(file.path);
+    Publication publication{m_request.folder, m_work, frames, {}, files.size()};
+    for (const BakedFile& file : files) publication.files.push_back(file.path);
+    for (const BakedFile& file : extras) publication.files.push_back(file.path);
+    const Result<std::uint64_t> moved = publish(publication);
+    if (!moved) return moved.error();
+    m_report.bytes += *moved;
+    m_report.files = std::move(publication.files);
     m_report.files.emplace_back("manifest.json");
-    return publish(frames, frameFiles);
-  }
-
-  /// The manifest, which makes it a bake, comes last. The first `frameFiles` lie in `frames`, the others in the work
-  /// folder.
-  Status publish(const fs::path& frames, std::size_t frameFiles) {
-    const Result<std::vector<ListedFile>> older = filesOfManifest(m_request.folder);
-    if (!older) return older.error();
-    std::error_code ec;
-    for (const std::string& name : m_report.files) {
-      if (fs::is_directory(m_request.folder / name, ec))
-        return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {},
-                         "can't write: a folder is in the way");
-    }
-    // Whatever happens on the way: a folder without a manifest is no bake, one with it is whole.
-    fs::remove(m_request.folder / "manifest.json", ec);
-    for (std::size_t i = 0; i < m_report.files.size(); ++i) {
-      const std::string& name = m_report.files[i];
-      const fs::path from = (i < frameFiles ? frames : m_work) / name;
-      m_report.bytes += fs::file_size(from, ec);
-      fs::rename(from, m_request.folder / name, ec);
-      if (ec)
-        return makeError(ErrorKind::Machine, (m_request.folder / name).string(), {}, "can't write: " + ec.message());
-    }
-    for (const ListedFile& file : *older) {
-      if (std::ranges::find(m_report.files, file.path) != m_report.files.end()) continue;
-      // What was changed since is somebody's work.
-      const Result<std::string> sum = sha256OfFile(m_request.folder / file.path);
-      if (sum && *sum == file.sha256) fs::remove(m_request.folder / file.path, ec);
-    }
     return Done{};
   }
 
@@ -241,7 +224,6 @@ class Baker {
       return noted;
     std::vector<BakePart> there = readParts(parts);
     m_report.missing = missingFrames(there, m_header.frames);
-    tellOfOtherParts(parts);
     std::optional<BakePart> whole = joinParts(std::move(there), m_header.frames);
     m_report.complete = whole.has_value();
     if (!whole) return Done{};
@@ -264,7 +246,8 @@ class Baker {
   [[nodiscard]] bool keepWaiting() const { return !m_keepGoing || m_keepGoing({BakePhase::Writing, 1}); }
 
   /// Parts of another plan in the same folder: most often a range was baked with other options by mistake.
-  void tellOfOtherParts(const fs::path& own) const {
+  void tellOfOtherParts() const {
+    const fs::path own = partsFolder(m_request.folder, m_plan);
     std::error_code ec;
     for (const fs::directory_entry& entry : fs::directory_iterator(m_request.folder, ec)) {
       const std::string name = entry.path().filename().string();
@@ -332,6 +315,7 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
   if (simulation.project().solver->source == WindSource::Card && request.loop) warnOfTurnedCard(request.plan);
   const MadeFolders made(request.folder);
   if (Status there = makeFolder(request.folder); !there) return there.error();
+  clearLeftBakes(request.folder);
   Result<WorkFolder> work = WorkFolder::create(request.folder);
   if (!work) return work.error();
   Baker baker(simulation, request, keepGoing, work->path());
@@ -343,7 +327,7 @@ Result<BakeReport> bake(Simulation& simulation, const BakeRequest& request,
 }
 
 Status loadInitialField(Simulation& simulation, const fs::path& path, double time) {
-  Result<NpyArray> array = readNpy(path);
+  Result<NpyArray> array = readNpy(path, kMaxNpyBytes);
   if (!array) return array.error();
   const std::vector<std::size_t>& shape = array->shape;
   const std::size_t axes = shape.size();

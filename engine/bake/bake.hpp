@@ -16,6 +16,7 @@
 namespace windloom {
 
 inline constexpr int kMaxBakeFrames = 100'000;
+inline constexpr std::int64_t kMaxBakeCells = std::int64_t{1} << 38;  ///< frames x cells: 2 TiB of wind
 
 struct BakeRequest {
   std::filesystem::path folder;            ///< made where it isn't there

@@ -1,9 +1,13 @@
 #include "engine/bake/bake_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "engine/bake/bake.hpp"
+#include "engine/bake/manifest.hpp"
 #include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -13,13 +17,46 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::string_view kNote = "part-";
 
-BakePart partFrom(const Json& note) {
+/// A whole number of 0 to kMaxBakeFrames - 1; -1 for anything else.
+int frameIn(const Json& object, const char* key) {
+  const auto found = object.find(key);
+  if (found == object.end() || !found->is_number()) return -1;
+  const double frame = found->get<double>();
+  return frame >= 0 && frame < kMaxBakeFrames && frame == std::floor(frame) ? static_cast<int>(frame) : -1;
+}
+
+/// A speed; a note without a sensible one has a negative one.
+float speedIn(const Json& note, const char* key) {
+  const auto found = note.find(key);
+  const float speed = found != note.end() && found->is_number() ? found->get<float>() : -1.0f;
+  return std::isfinite(speed) ? speed : -1.0f;
+}
+
+/// What is taken from an entry later on; its file lies in the parts' own folder, never elsewhere.
+bool isEntry(const Json& entry) {
+  if (!entry.is_object()) return false;
+  for (const char* key : {"path", "role", "encoding"}) {
+    const auto text = entry.find(key);
+    if (text == entry.end() || !text->is_string()) return false;
+  }
+  return isPlainName(entry["path"].get_ref<const std::string&>()) &&
+         (!entry.contains("frame") || frameIn(entry, "frame") >= 0);
+}
+
+/// Nothing where it is not a note of ours: its frames count as missing.
+std::optional<BakePart> partFrom(const Json& note) {
+  if (!note.is_object() || !note.contains("groups") || !note["groups"].is_array()) return std::nullopt;
   BakePart part;
-  part.first = note.at("first");
-  part.last = note.at("last");
-  part.fastest = note.at("fastest");
-  part.seam = {note.at("seam"), note.at("step")};
-  part.groups = note.at("groups");
+  part.first = frameIn(note, "first");
+  part.last = frameIn(note, "last");
+  part.fastest = speedIn(note, "fastest");
+  part.seam = {speedIn(note, "seam"), speedIn(note, "step")};
+  if (part.first < 0 || part.last < part.first || part.fastest < 0 || part.seam.seam < 0 || part.seam.step < 0)
+    return std::nullopt;
+  for (const Json& group : note["groups"]) {
+    if (!group.is_array() || !std::ranges::all_of(group, isEntry)) return std::nullopt;
+    part.groups.emplace_back(group.begin(), group.end());
+  }
   return part;
 }
 
@@ -41,7 +78,7 @@ bool hasAllFiles(const fs::path& parts, const BakePart& part) {
   std::error_code ec;
   for (const std::vector<Json>& group : part.groups) {
     for (const Json& entry : group) {
-      if (!fs::exists(parts / entry.value("path", std::string("?")), ec)) return false;
+      if (!fs::exists(parts / entry["path"].get_ref<const std::string&>(), ec)) return false;
     }
   }
   return true;
@@ -52,15 +89,11 @@ std::vector<BakePart> readParts(const fs::path& parts) {
   std::error_code ec;
   for (const fs::directory_entry& entry : fs::directory_iterator(parts, ec)) {
     if (!entry.path().filename().string().starts_with(kNote)) continue;
-    const Result<std::string> text = readFile(entry.path());
+    const Result<std::string> text = readFile(entry.path(), kMaxManifestBytes);
     if (!text) continue;
-    const Json note = Json::parse(*text, nullptr, false);
-    try {
-      BakePart part = partFrom(note);
-      if (hasAllFiles(parts, part)) found.push_back(std::move(part));
-    } catch (const Json::exception&) {
-      continue;  // not a note of ours: its frames count as missing
-    }
+    const Result<Json> note = parseJsonDocument(*text, entry.path().string());
+    std::optional<BakePart> part = note ? partFrom(*note) : std::nullopt;
+    if (part && hasAllFiles(parts, *part)) found.push_back(std::move(*part));
   }
   std::ranges::sort(found, {}, [](const BakePart& part) { return std::pair(part.first, part.last); });
   return found;

@@ -2,7 +2,7 @@
 
 #include "engine/bake/dds_header.hpp"
 #include "engine/bake/writers.hpp"
-#include "engine/io/atomic_file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 namespace windloom {
 namespace {

@@ -10,9 +10,9 @@
 #include <cstring>
 
 #include "engine/bake/little_endian.hpp"
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/contract.hpp"
 #include "engine/core/thread_pool.hpp"
-#include "engine/io/atomic_file.hpp"
 
 namespace windloom {
 namespace {

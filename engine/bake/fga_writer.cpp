@@ -9,7 +9,7 @@
 
 #include "engine/bake/volume.hpp"
 #include "engine/bake/writers.hpp"
-#include "engine/core/file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 namespace windloom {
 namespace {
@@ -86,7 +86,7 @@ class FgaWriter final : public FrameWriter {
       nlohmann::ordered_json details = piece.volume.details(frame);
       if (m_tiled) details["tile"] = {piece.tile.x, piece.tile.y};
       m_files.push_back({frameFile(m_track, piece.stem, frame, "fga"), "volume", "text", std::move(details)});
-      if (Status written = writeFileAtomically(m_folder / m_files.back().path, textOf(piece.volume)); !written)
+      if (Status written = writeFileUnsynced(m_folder / m_files.back().path, textOf(piece.volume)); !written)
         return written;
     }
     return Done{};

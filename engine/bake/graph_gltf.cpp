@@ -5,8 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/contract.hpp"
-#include "engine/core/file.hpp"
 #include "engine/core/text.hpp"
 #include "engine/model/evaluate.hpp"
 #include "engine/model/graph_links.hpp"
@@ -217,7 +217,7 @@ std::string graphGltfText(const Project& project, const BakeHeader& header, std:
 
 Result<BakedFile> writeGraphGltf(const Project& project, const BakeHeader& header, std::span<const BakedFile> files,
                                  const std::filesystem::path& folder) {
-  const Status written = writeFileAtomically(folder / "graph.gltf", graphGltfText(project, header, files));
+  const Status written = writeFileUnsynced(folder / "graph.gltf", graphGltfText(project, header, files));
   if (!written) return written.error();
   return BakedFile{
       "graph.gltf", "graph", "text", {{"coordinates", {{"handedness", "right"}, {"up", "+Y"}}}, {"lengthUnit", "m"}}};

@@ -6,6 +6,7 @@
 #include "engine/bake/target_frame.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/text.hpp"
+#include "engine/io/json_document.hpp"
 #include "engine/io/sha256.hpp"
 
 namespace windloom {
@@ -65,10 +66,6 @@ Json responseOf() {
 std::string textOf(const Json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
-}
-
-bool isPlainName(const std::string& name) {
-  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == std::string::npos;
 }
 
 }  // namespace
@@ -156,11 +153,15 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
   return manifest.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+bool isPlainName(std::string_view name) {
+  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == name.npos;
+}
+
 std::string planOfManifest(const std::filesystem::path& folder) {
-  const Result<std::string> text = readFile(folder / "manifest.json", 64ull << 20);
+  const Result<std::string> text = readFile(folder / "manifest.json", kMaxManifestBytes);
   if (!text) return {};
-  const Json manifest = Json::parse(*text, nullptr, false);
-  return manifest.is_object() ? textOf(manifest, "plan") : std::string();
+  const Result<Json> manifest = parseJsonDocument(*text, {});
+  return manifest && manifest->is_object() ? textOf(*manifest, "plan") : std::string();
 }
 
 Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& folder) {
@@ -168,9 +169,10 @@ Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& fol
   std::error_code ignored;
   const std::filesystem::path path = folder / "manifest.json";
   if (!std::filesystem::exists(path, ignored)) return files;
-  const Result<std::string> text = readFile(path, 64ull << 20);
+  const Result<std::string> text = readFile(path, kMaxManifestBytes);
   if (!text) return text.error();
-  const Json manifest = Json::parse(*text, nullptr, false);
+  const Result<Json> parsed = parseJsonDocument(*text, path.string());
+  const Json manifest = parsed ? *parsed : Json();
   if (!manifest.is_object() || textOf(manifest, "format") != "windpack" || !manifest.contains("files")) {
     return makeError(ErrorKind::BadInput, path.string(), {},
                      "is not the manifest of a bake; bake into another folder or move it away");

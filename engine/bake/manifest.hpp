@@ -2,10 +2,12 @@
 // manifest.json: what a game or a person needs to know to use the files beside it. docs/bake.md describes each key,
 // docs/manifest.schema.json is its schema.
 
+#include <cstdint>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/bake/frame_writer.hpp"
@@ -31,6 +33,12 @@ struct ManifestFacts {
 /// The text. `backend` is the one that ran.
 std::string manifestText(const ManifestFacts& facts, const Project& project, Backend backend,
                          std::span<const nlohmann::ordered_json> files);
+
+/// A name of a file and nothing else: no folder, not "." or "..". Only such are taken from files that are read back.
+bool isPlainName(std::string_view name);
+
+/// Of a manifest, and of the note of a part, that is read back: 100 000 frames in ten formats are about 200 MB.
+inline constexpr std::uint64_t kMaxManifestBytes = 256ull << 20;
 
 /// The plan of the bake in `folder`; empty where there is none.
 std::string planOfManifest(const std::filesystem::path& folder);

@@ -8,8 +8,8 @@
 #include "engine/bake/fill_template.hpp"
 #include "engine/bake/response.hpp"
 #include "engine/bake/target_frame.hpp"
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/text.hpp"
-#include "engine/io/atomic_file.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/io/sha256.hpp"
 

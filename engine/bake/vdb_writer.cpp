@@ -3,7 +3,7 @@
 
 #include "engine/bake/voxel_field.hpp"
 #include "engine/bake/writers.hpp"
-#include "engine/core/file.hpp"
+#include "engine/core/atomic_file.hpp"
 #ifdef WINDLOOM_OPENVDB
 #include "engine/bake/vdb_bytes.hpp"
 #endif
@@ -37,7 +37,7 @@ class VdbWriter final : public FrameWriter {
     details["grids"] = {block.name};
     details["voxel"] = plainTriple(glm::vec3(block.side))[0];
     m_files.push_back({fileName(frame), "volume", "half", std::move(details)});
-    return writeFileAtomically(m_folder / m_files.back().path, *bytes);
+    return writeFileUnsynced(m_folder / m_files.back().path, *bytes);
   }
 
   Result<std::vector<BakedFile>> finish() override { return std::move(m_files); }

@@ -7,7 +7,7 @@
 
 #include "engine/bake/volume.hpp"
 #include "engine/bake/writers.hpp"
-#include "engine/core/file.hpp"
+#include "engine/core/atomic_file.hpp"
 
 namespace windloom {
 namespace {
@@ -71,7 +71,7 @@ class VfWriter final : public FrameWriter {
     }
     bytes.append(reinterpret_cast<const char*>(m_block.data()), m_block.size() * sizeof(glm::vec3));
     m_files.push_back({frameFile(m_track, m_stem, frame, "vf"), "volume", "float32", detailsOf(frame)});
-    return writeFileAtomically(m_folder / m_files.back().path, bytes);
+    return writeFileUnsynced(m_folder / m_files.back().path, bytes);
   }
 
   Result<std::vector<BakedFile>> finish() override { return std::move(m_files); }

@@ -8,7 +8,7 @@
 #include "engine/bake/half.hpp"
 #include "engine/bake/writers.hpp"
 #include "engine/bake/zstd_stream.hpp"
-#include "engine/io/atomic_file.hpp"
+#include "engine/core/atomic_file.hpp"
 #include "engine/runtime/checksum.h"
 #include "engine/runtime/windpack_format.h"
 

@@ -3,13 +3,15 @@
 
 #include <filesystem>
 #include <functional>
+#include <utility>
 #include <vector>
 
 #include "engine/core/result.hpp"
 
 namespace windloom {
 
-/// A folder inside `parent` that is removed with all that is in it.
+/// A folder inside `parent`, ".bake.windloom.XXXXXX", that is removed with all that is in it. It is locked as long as
+/// this lives, so that others can tell it from one whose program was killed.
 class WorkFolder {
  public:
   /// Fails with Machine.
@@ -20,9 +22,14 @@ class WorkFolder {
   [[nodiscard]] const std::filesystem::path& path() const { return m_path; }
 
  private:
-  explicit WorkFolder(std::filesystem::path path) : m_path(std::move(path)) {}
+  friend std::vector<WorkFolder> leftWorkFolders(const std::filesystem::path& parent);
+  WorkFolder(std::filesystem::path path, int lock) : m_path(std::move(path)), m_lock(lock) {}
   std::filesystem::path m_path;
+  int m_lock = -1;
 };
+
+/// Work folders of this user in `parent` whose programs no longer run. Nothing where the file system knows no locks.
+std::vector<WorkFolder> leftWorkFolders(const std::filesystem::path& parent);
 
 /// Brings all that was written where `folder` lies to the disk, in one go: files that were finished with Sync::Later.
 /// Fails with Machine (the disk is full or broken).

@@ -1,6 +1,9 @@
 #include "engine/bake/write_behind.hpp"
 
 #include <algorithm>
+#include <exception>
+
+#include "engine/core/out_of_memory.hpp"
 
 namespace windloom {
 namespace {
@@ -13,8 +16,15 @@ constexpr std::size_t kWaitingJobs = 4;
 WriteBehind::WriteBehind(std::size_t writers) {
   const std::size_t lanes =
       std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, std::max<std::size_t>(writers, 1));
-  m_lanes.resize(lanes);
-  for (Lane& lane : m_lanes) lane.thread = std::thread([this, &lane] { work(lane); });
+  try {
+    while (m_lanes.size() < lanes) {
+      Lane& lane = m_lanes.emplace_back();
+      lane.thread = std::thread([this, &lane] { work(lane); });
+    }
+  } catch (const std::exception&) {
+    // The system gives no more threads, or memory has ended: those that are there will do, or this one.
+    if (!m_lanes.empty() && !m_lanes.back().thread.joinable()) m_lanes.pop_back();
+  }
 }
 
 WriteBehind::~WriteBehind() {
@@ -32,6 +42,10 @@ Status WriteBehind::failure() const {
 }
 
 Status WriteBehind::add(std::size_t index, FrameWriter& writer, int frame, const Cells& cells) {
+  if (m_lanes.empty()) {
+    if (Status added = writer.add(frame, *cells); !added && !m_error) m_error = added.error();
+    return failure();
+  }
   Lane& lane = m_lanes[index % m_lanes.size()];
   std::unique_lock lock(m_mutex);
   m_changed.wait(lock, [&] { return m_error || lane.jobs.size() < kWaitingJobs; });
@@ -57,7 +71,7 @@ void WriteBehind::work(Lane& lane) {
     lane.jobs.pop_front();
     lane.busy = true;
     lock.unlock();
-    const Status added = job.writer->add(job.frame, *job.cells);
+    const Status added = orOutOfMemory("writing a frame", [&] { return job.writer->add(job.frame, *job.cells); });
     lock.lock();
     lane.busy = false;
     if (!added && !m_error) m_error = added.error();

@@ -3,9 +3,8 @@
 #include <cmath>
 #include <cstdio>
 
-#include "engine/core/log.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/core/text.hpp"
-#include "engine/io/project_json.hpp"
 
 namespace windloom::cli {
 
@@ -44,11 +43,7 @@ int reportError(const Error& error, const CommonOptions& options) {
 }
 
 Result<Project> loadWithWarnings(const std::string& file) {
-  Result<LoadedProject> loaded = loadProject(file);
-  if (!loaded) return loaded.error();
-  if (!loaded->missing.empty()) return Error{ErrorKind::BadInput, std::move(loaded->missing)};
-  for (const Problem& warning : loaded->warnings) logWarning(warning.text());
-  return std::move(loaded->project);
+  return loadWithWarnings(file, OutsideFiles::Refuse);
 }
 
 Json problemsJson(const std::vector<Problem>& problems) {

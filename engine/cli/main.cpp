@@ -1,53 +1,47 @@
+#include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <exception>
+#include <new>
+#include <stdexcept>
 
+#include "engine/cli/command_line.hpp"
 #include "engine/cli/common.hpp"
-#include "engine/cli/verbs.hpp"
+#include "engine/core/memory_reserve.hpp"
+#include "engine/core/process.hpp"
 
-namespace windloom::cli {
 namespace {
 
-int usageError(const CLI::App& app, const CLI::ParseError& error, const CommonOptions& options) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);  // --help, --version
-  const int status = reportError(makeError(ErrorKind::Usage, error.what()), options);
-  const auto chosen = app.get_subcommands();
-  std::fprintf(stderr, "Run 'windloom %s--help' for how to use it.\n",
-               chosen.empty() ? "" : (chosen.front()->get_name() + " ").c_str());
-  return status;
-}
+using namespace windloom::cli;
 
-int run(int argc, char** argv) {
-  CLI::App app("Windloom: wind drawn as trees of arrows, seen in grass, exported for games.", "windloom");
-  app.set_version_flag("--version", "windloom " WINDLOOM_VERSION);
-  app.footer(
-      "'windloom VERB --help' explains a verb. Exit status: 0 done; 1 the input is wrong; 2 wrong usage; "
-      "3 this machine can't.");
-  app.require_subcommand(1);
-  VerbAction action;
-  for (const Verb& verb : verbs()) {
-    CLI::App* command = app.add_subcommand(verb.name, verb.summary);
-    if (verb.kind == VerbKind::Developer) command->group("");
-    command->final_callback([&action, todo = verb.make(*command)] { action = todo; });
-  }
-  CommonOptions options;
-  for (int i = 1; i < argc; ++i) options.json = options.json || std::strcmp(argv[i], "--json") == 0;
-  try {
-    app.parse(argc, argv);
-  } catch (const CLI::ParseError& error) {
-    return usageError(app, error, options);
-  }
-  return action();
+/// A result that never arrived (standard output is closed, or a file on a full disk) is no success.
+int withOutputWritten(int status) {
+  errno = 0;
+  const bool lost = std::fflush(stdout) != 0;
+  const int code = errno;
+  if (!lost && std::ferror(stdout) == 0) return status;
+  std::fprintf(stderr, "windloom: can't write the result to standard output%s%s\n", code != 0 ? ": " : "",
+               code != 0 ? std::strerror(code) : "");
+  return kExitMachine;
 }
 
 }  // namespace
-}  // namespace windloom::cli
 
 int main(int argc, char** argv) {
+  windloom::prepareProcess();
+  windloom::keepMemoryReserve();
   try {
-    return windloom::cli::run(argc, argv);
+    int exitStatus = kExitDone;
+    const auto action = parseCommandLine(argc, argv, exitStatus);
+    return withOutputWritten(action ? (*action)() : exitStatus);
+  } catch (const std::bad_alloc&) {
+    std::fputs("windloom: there is not enough memory for this\n", stderr);
+    return kExitMachine;
+  } catch (const std::length_error&) {
+    std::fputs("windloom: there is not enough memory for this\n", stderr);
+    return kExitMachine;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "windloom: %s\n", error.what());
-    return windloom::cli::kExitMachine;
+    return kExitMachine;
   }
 }

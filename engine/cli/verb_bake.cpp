@@ -8,7 +8,11 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/log.hpp"
@@ -17,7 +21,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions, RunOptions {
+struct Options : CommonOptions, ProjectOptions, RunOptions {
   std::string file, out, resolution, part;
   std::string preset = "generic", space = "world";
   std::vector<std::string> formats;
@@ -29,11 +33,16 @@ struct Options : CommonOptions, RunOptions {
 };
 
 constexpr double kDefaultSeconds = 2, kDefaultFps = 30;
-constexpr int kMaxSide = 8192;  // cells; as for the field itself and for wind packs
 
 std::string namesOf(const auto& list) {
   std::string names;
   for (const auto& entry : list) names += (names.empty() ? "" : ", ") + std::string(entry.name);
+  return names;
+}
+
+std::vector<std::string> listOf(const auto& list) {
+  std::vector<std::string> names;
+  for (const auto& entry : list) names.emplace_back(entry.name);
   return names;
 }
 
@@ -42,7 +51,7 @@ std::optional<glm::ivec2> parseResolution(const std::string& text) {
   if (cross == std::string::npos) return std::nullopt;
   const auto width = parseNumber(text.substr(0, cross)), height = parseNumber(text.substr(cross + 1));
   const auto sensible = [](const std::optional<double>& side) {
-    return side && *side >= 1 && *side <= kMaxSide && *side == std::floor(*side);
+    return side && *side >= 1 && *side <= kMaxBakeSide && *side == std::floor(*side);
   };
   if (!sensible(width) || !sensible(height)) return std::nullopt;
   return glm::ivec2(*width, *height);
@@ -118,7 +127,8 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
     request.resolution = parseResolution(options.resolution);
     if (!request.resolution) {
       return makeError(ErrorKind::Usage, "--resolution: found '" + options.resolution +
-                                             "', expected WxH in cells, 1 to " + std::to_string(kMaxSide) + " a side");
+                                             "', expected WxH in cells, 1 to " + std::to_string(kMaxBakeSide) +
+                                             " a side");
     }
   }
   if (options.speedRange) request.fullScale = static_cast<float>(*options.speedRange);
@@ -204,7 +214,7 @@ int runBake(const Options& options) {
     if (!given) return reportError(makeError(ErrorKind::Usage, std::string("expected ") + name), options);
   }
   const auto start = std::chrono::steady_clock::now();
-  Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return reportError(project.error(), options);
   if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
   const Result<BakeRequest> request = requestOf(options, *project);
@@ -248,27 +258,29 @@ VerbAction makeBakeVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "Project file (NAME.wind.json)");
   app.add_option("--out", options->out, "Folder for the files, made if needed")->type_name("DIR");
-  app.add_option("--format", options->formats, "What to write, separated by commas: " + namesOf(writerKinds()))
-      ->type_name("F[,F...]")
-      ->delimiter(',')
-      ->allow_extra_args(false);
+  offer(app.add_option("--format", options->formats, "What to write, separated by commas: " + namesOf(writerKinds()))
+            ->type_name("F[,F...]")
+            ->delimiter(',')
+            ->allow_extra_args(false),
+        listOf(writerKinds()));
   app.add_flag("--list-formats", options->listFormats, "List the formats and write nothing");
-  app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
-      ->type_name("NAME")
-      ->capture_default_str();
+  offer(app.add_option("--preset", options->preset, "Axes, units and image rows of an engine: " + namesOf(presets()))
+            ->type_name("NAME")
+            ->capture_default_str(),
+        listOf(presets()));
   app.add_option("--from", options->from, "Moment of the first frame, s (default: the start)")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(numberFrom(0.0, kMaxSeconds));
   auto* seconds = app.add_option("--seconds", options->seconds, "Length of the recording, s (default 2)")
                       ->type_name("S")
-                      ->check(CLI::Range(1e-6, 1e6));
+                      ->check(numberFrom(1e-6, kMaxSeconds));
   app.add_option("--fps", options->fps, "Frames a second (default 30)")
       ->type_name("N")
-      ->check(CLI::Range(0.01, 10000.0));
+      ->check(numberFrom(0.01, 10000.0));
   app.add_option("--steps", options->steps,
                  "Count in solver steps: write the one field N steps after --from, or with --fps all frames up to it")
       ->type_name("N")
-      ->check(CLI::Range(0L, 100'000'000L))
+      ->check(CLI::Range(0L, kMaxSteps))
       ->excludes(seconds);
   app.add_option("--resolution", options->resolution,
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
@@ -282,7 +294,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--warm-up", options->warmUp,
                  "Let the wind blow only so long before --from, instead of from the project's start, s")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6));
+      ->check(numberFrom(0.0, kMaxSeconds));
   app.add_option("--space", options->space,
                  "What images hold: world velocity, or uv: texture coordinates a second for panning shaders")
       ->check(CLI::IsMember({"world", "uv"}))
@@ -293,25 +305,26 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_flag("--no-sidecars", options->noSidecars, "No how-to, shader code and import settings beside the files");
   app.add_option("--layers", options->profile.layers, "Layers of volumes, from the ground up")
       ->type_name("N")
-      ->check(CLI::Range(1, 128))
+      ->check(CLI::Range(1, kMaxBakeLayers))
       ->capture_default_str();
   app.add_option("--top", options->profile.top, "Height of volumes, m")
       ->type_name("M")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(numberFrom(0.1, 1000.0))
       ->capture_default_str();
   app.add_option("--reference-height", options->profile.reference,
                  "Height at which the wind is as the field says; below and above it follows the logarithmic law, m")
       ->type_name("M")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(numberFrom(0.01, 1000.0))
       ->capture_default_str();
   app.add_option("--roughness", options->profile.roughness, "Roughness length of the ground, m (grass 0.03, forest 1)")
       ->type_name("M")
-      ->check(CLI::Range(1e-4, 10.0))
+      ->check(numberFrom(1e-4, 10.0))
       ->capture_default_str();
   addRunOptions(app, *options);
   app.add_option("--vmax", options->speedRange, "Speed that flow maps encode as full scale, m/s (default: the fastest)")
       ->type_name("V")
-      ->check(CLI::Range(1e-3, 1e4));
+      ->check(numberFrom(1e-3, 1e4));
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   std::string footer = "Formats, each listed with its checksum in manifest.json:\n";
   for (const WriterKind& kind : writerKinds())

@@ -4,14 +4,14 @@
 #include <filesystem>
 
 #include "engine/cli/bench.hpp"
+#include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
 
 namespace windloom::cli {
 namespace {
-
-constexpr int kMaxPictureSide = 8192;  // scene picture draws twice that
 
 struct Options : CommonOptions {
   std::vector<std::string> scenes, views;
@@ -96,8 +96,9 @@ int runBench(const Options& options) {
   if (!scenes) return reportError(scenes.error(), common);
   BenchSetup setup;
   if (!options.size.empty()) {
-    setup.picture = parsePair(options.size, kMaxPictureSide);
-    if (!setup.picture) return reportError(pairExpected("--size", options.size, kMaxPictureSide, "pixels"), common);
+    setup.picture = parsePair(options.size, kMaxBenchPictureSide);
+    if (!setup.picture)
+      return reportError(pairExpected("--size", options.size, kMaxBenchPictureSide, "pixels"), common);
   }
   const Result<OpenGl> gl = openGlFor(options.backend);
   if (!gl) return reportError(gl.error(), common);
@@ -139,7 +140,9 @@ int runBench(const Options& options) {
 
 VerbAction makeBenchVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("scene", options->scenes, "What to measure: " + sceneNames() + " (default: all)");
+  std::vector<std::string> names;
+  for (const BenchScene& scene : benchScenes()) names.emplace_back(scene.name);
+  offer(app.add_option("scene", options->scenes, "What to measure: " + sceneNames() + " (default: all)"), names);
   app.add_option("--json", options->jsonFile,
                  "Also write all numbers, the machine and the settings to FILE; '-' or no FILE "
                  "writes them to standard output instead of the tables")

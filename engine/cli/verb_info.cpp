@@ -6,6 +6,8 @@
 
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
+#include "engine/cli/number_range.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
@@ -16,7 +18,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::string file;
   double fps = 30;
 };
@@ -301,7 +303,7 @@ void printInfoText(const Options& options, const Project& project, const std::ve
 }
 
 int showInfo(const Options& options) {
-  const Result<Project> project = loadWithWarnings(options.file);
+  const Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return reportError(project.error(), options);
   const GraphEvaluator evaluator(*project->graph);
   const std::vector<Id> roots = findRoots(*project->graph);
@@ -315,8 +317,9 @@ VerbAction makeInfoVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
   app.add_option("--fps", options->fps, "Frames a second to count the exports with")
-      ->check(CLI::Range(0.1, 1000.0))
+      ->check(numberFrom(0.1, 1000.0))
       ->capture_default_str();
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Arrival times are those at which the signal of a root reaches a point, in seconds after its onset.");
   return [options] { return showInfo(*options); };

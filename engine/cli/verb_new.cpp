@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "engine/cli/common.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/io/project_json.hpp"
@@ -67,8 +68,11 @@ int writeNew(const Options& options) {
 VerbAction makeNewVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->file, "Project file to write, by custom NAME.wind.json");
-  app.add_option("-t,--template", options->templateName, "What to start from: " + templateNames())
-      ->capture_default_str();
+  std::vector<std::string> names;
+  for (const ProjectTemplate& entry : projectTemplates()) names.emplace_back(entry.name);
+  offer(app.add_option("-t,--template", options->templateName, "What to start from: " + templateNames())
+            ->capture_default_str(),
+        names);
   addSolverOption(app, options->solver);
   app.add_flag("--force", options->force, "Write over an existing file, which is kept as FILE.bak");
   app.add_flag("--list", options->list, "List the templates and write nothing");

@@ -7,7 +7,11 @@
 #include "engine/cli/bezier_options.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
@@ -22,12 +26,9 @@
 namespace windloom::cli {
 namespace {
 
-constexpr int kMaxSide = 16384;  // pixels
-constexpr int kMaxCells = 4096;  // per side, as for a field
-constexpr int kMaxFrames = 100'000;
 constexpr double kSlice = 0.25;  // s of simulated time between looks at Ctrl+C
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::string file, out, camera, grass, deformation, solver;
   std::string size = "1280x720", resolution;
   std::vector<std::string> overlays;
@@ -65,12 +66,12 @@ Json shellCountsJson(const ShellCounts& counts) {
 
 /// The project as it is to be shown: other resolution or density where asked for.
 Result<Project> projectOf(const Options& options) {
-  Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return project;
   if (const Status used = useSolver(*project, options.solver); !used) return used.error();
   if (!options.resolution.empty()) {
-    const auto cells = parsePair(options.resolution, kMaxCells);
-    if (!cells) return pairExpected("--resolution", options.resolution, kMaxCells, "cells");
+    const auto cells = parsePair(options.resolution, kMaxRenderCells);
+    if (!cells) return pairExpected("--resolution", options.resolution, kMaxRenderCells, "cells");
     FieldSettings field = *project->field;
     field.resolution = *cells;
     project->field = std::make_shared<FieldSettings>(field);
@@ -192,8 +193,8 @@ int render(const Options& options) {
     return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier, shell or none"),
                        options);
   }
-  const auto size = parsePair(options.size, kMaxSide);
-  if (!size) return reportError(pairExpected("--size", options.size, kMaxSide, "pixels"), options);
+  const auto size = parsePair(options.size, kMaxRenderSide);
+  if (!size) return reportError(pairExpected("--size", options.size, kMaxRenderSide, "pixels"), options);
   const Result<Overlays> overlays = overlaysByName(options.overlays);
   if (!overlays) return reportError(overlays.error(), options);
   const Result<Project> project = projectOf(options);
@@ -232,36 +233,44 @@ VerbAction makeRenderVerb(CLI::App& app) {
       ->required();
   app.add_option("--time", options->time, "Moment of the (first) picture in seconds")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6));
-  app.add_option("--frames", options->frames, "How many pictures")->type_name("N")->check(CLI::Range(1, kMaxFrames));
+      ->check(numberFrom(0.0, kMaxSeconds));
+  app.add_option("--frames", options->frames, "How many pictures")
+      ->type_name("N")
+      ->check(CLI::Range(1, kMaxRenderFrames));
   app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")
       ->type_name("N")
-      ->check(CLI::Range(0.01, 1000.0));
+      ->check(numberFrom(0.01, 1000.0));
   app.add_option("--size", options->size, "Pixels (default 1280x720)")->type_name("WxH");
   app.add_option("--camera", options->camera,
                  "Camera of the project, or above (default: the first, else one that shows the field)")
       ->type_name("NAME");
-  app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
-      ->type_name("NAME[,NAME]")
-      ->delimiter(',');
+  std::vector<std::string> overlays{"none"};
+  for (const OverlayKind& kind : overlayKinds()) overlays.emplace_back(kind.name);
+  offer(app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
+            ->type_name("NAME[,NAME]")
+            ->delimiter(','),
+        overlays);
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
-  app.add_option("--grass", options->grass, "Kind of grass instead of the project's: instanced, bezier, shell, none")
-      ->type_name("KIND");
+  offer(app.add_option("--grass", options->grass,
+                       "Kind of grass instead of the project's: instanced, bezier, shell, none")
+            ->type_name("KIND"),
+        {"instanced", "bezier", "shell", "none"});
   app.add_option("--deformation", options->deformation,
                  "How blades bend instead of the project's: arc, quadratic, inertial")
       ->type_name("NAME")
       ->check(CLI::IsMember({"arc", "quadratic", "inertial"}));
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
-      ->check(CLI::Range(0.0, 5000.0));
+      ->check(numberFrom(0.0, 5000.0));
   app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")
       ->type_name("D")
-      ->check(CLI::Range(0.02, 1.0));
+      ->check(numberFrom(0.02, 1.0));
   app.add_flag("--full-quality", options->fullQuality, "Everything as fine as it gets, however long it takes");
   app.add_flag("--every-blade", options->everyBlade,
                "Full quality, and every blade in sight drawn, however small: needs much memory");
   addBezierOptions(app, options->bezier);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Needs OpenGL 4.5; a software renderer will do. With one the wind is computed by the CPU backend.");
   return [options] { return render(*options); };

@@ -6,7 +6,10 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
+#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
@@ -14,7 +17,7 @@
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions, RunOptions {
+struct Options : CommonOptions, ProjectOptions, RunOptions {
   std::string file;
   std::vector<std::string> at;
   double time = 0;
@@ -104,7 +107,7 @@ void printSampleTable(Simulation& simulation, const std::vector<Place>& places) 
 }
 
 int sample(const Options& options) {
-  Result<Project> project = loadWithWarnings(options.file);
+  Result<Project> project = loadWithWarnings(options.file, options.outside);
   if (!project) return reportError(project.error(), options);
   if (const Status used = useSolver(*project, options.solver); !used) return reportError(used.error(), options);
   if (options.time < options.initialTime) {
@@ -149,9 +152,10 @@ VerbAction makeSampleVerb(CLI::App& app) {
       ->allow_extra_args(false);
   app.add_option("--time", options->time, "Moment in seconds, rounded to whole time steps")
       ->type_name("T")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(numberFrom(0.0, kMaxSeconds))
       ->required();
   addRunOptions(app, *options);
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer("Speeds in m/s. A direction is where the air goes to, in degrees from +X towards +Z.");
   return [options] { return sample(*options); };

@@ -2,13 +2,14 @@
 #include <memory>
 
 #include "engine/cli/common.hpp"
+#include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/io/project_json.hpp"
 
 namespace windloom::cli {
 namespace {
 
-struct Options : CommonOptions {
+struct Options : CommonOptions, ProjectOptions {
   std::vector<std::string> files;
 };
 
@@ -16,8 +17,7 @@ int validateFiles(const Options& options) {
   int status = kExitDone;
   Json errors = Json::array(), warnings = Json::array();
   for (const std::string& file : options.files) {
-    Result<LoadedProject> loaded = loadProject(file);
-    if (loaded && !loaded->missing.empty()) loaded = Error{ErrorKind::BadInput, loaded->missing};
+    const Result<LoadedProject> loaded = loadWhole(file, options.outside);
     const std::vector<Problem> none;
     const std::vector<Problem>& problems = loaded ? none : loaded.error().problems;
     const std::vector<Problem>& remarks = loaded ? loaded->warnings : none;
@@ -41,6 +41,7 @@ int validateFiles(const Options& options) {
 VerbAction makeValidateVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
   app.add_option("file", options->files, "Project files (NAME.wind.json)")->required();
+  addProjectOptions(app, *options);
   addCommonOptions(app, *options);
   app.footer(
       "Lists every problem with its file and its place as a JSON pointer, and warns of unknown keys.\n"

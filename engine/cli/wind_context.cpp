@@ -1,5 +1,8 @@
 #include "engine/cli/wind_context.hpp"
 
+#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_limits.hpp"
+#include "engine/cli/program_help.hpp"
 #include "engine/session/solver_scheme.hpp"
 
 namespace windloom::cli {
@@ -19,8 +22,11 @@ std::string solverNames() {
 }  // namespace
 
 void addSolverOption(CLI::App& app, std::string& name) {
-  app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
-      ->type_name("NAME");
+  std::vector<std::string> names;
+  for (const SolverPreset& preset : solverPresets()) names.emplace_back(preset.name);
+  offer(app.add_option("--solver", name, "Solver preset instead of the project's settings: " + solverNames())
+            ->type_name("NAME"),
+        names);
 }
 
 void addRunOptions(CLI::App& app, RunOptions& options) {
@@ -31,7 +37,7 @@ void addRunOptions(CLI::App& app, RunOptions& options) {
   app.add_option("--initial-time", options.initialTime,
                  "Moment that --initial holds, s: arrows and gusts go on from there (default 0)")
       ->type_name("S")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(numberFrom(0.0, kMaxSeconds))
       ->needs(initial);
   addSolverOption(app, options.solver);
   app.add_option("--threads", options.threads, "Threads of the CPU backend (default: all; results are the same)")

@@ -25,81 +25,35 @@ struct Descriptor {
   }
 };
 
-int writeAll(int fd, std::string_view bytes) {
-  while (!bytes.empty()) {
-    const ssize_t n = ::write(fd, bytes.data(), bytes.size());
-    if (n < 0 && errno == EINTR) continue;
-    if (n < 0) return errno;
-    bytes.remove_prefix(static_cast<std::size_t>(n));
-  }
-  return 0;
-}
-
-/// Makes a finished rename survive a power loss; a file system that can't is not a failure.
-void syncFolder(const fs::path& folder) {
-  const Descriptor d{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-  if (d.fd >= 0) ::fsync(d.fd);
-}
-
-/// Keeps the old file as PATH.bak without a moment in which PATH is missing.
-void keepBackup(const fs::path& path) {
-  const fs::path backup = path.string() + ".bak";
-  const fs::path fresh = path.string() + ".bak.tmp";
-  ::unlink(fresh.c_str());
-  std::error_code ignored;
-  if (::link(path.c_str(), fresh.c_str()) != 0) fs::copy_file(path, fresh, ignored);
-  ::rename(fresh.c_str(), backup.c_str());
-}
-
 }  // namespace
 
 Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
-  const Descriptor d{::open(path.c_str(), O_RDONLY | O_CLOEXEC)};
+  const auto bad = [&](std::string what) { return makeError(ErrorKind::BadInput, path.string(), {}, std::move(what)); };
+  const auto tooLarge = [&] { return bad("is larger than the limit of " + std::to_string(limitBytes) + " bytes"); };
+  // Not blocking: opening a pipe would wait for who never writes to it, and reading a device may never end.
+  const Descriptor d{::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK | O_NOCTTY)};
+  if (d.fd < 0 && errno == ENXIO) return bad("is a socket, expected a file");
   if (d.fd < 0) {
     const ErrorKind kind = errno == ENOENT || errno == ENOTDIR ? ErrorKind::BadInput : ErrorKind::Machine;
     return makeError(kind, path.string(), {}, std::string("can't open: ") + std::strerror(errno));
   }
   struct stat info {};
   if (::fstat(d.fd, &info) != 0) return ioError(path, "read", errno);
-  if (S_ISDIR(info.st_mode)) return makeError(ErrorKind::BadInput, path.string(), {}, "is a folder, expected a file");
+  if (S_ISDIR(info.st_mode)) return bad("is a folder, expected a file");
+  if (!S_ISREG(info.st_mode)) return bad("is a pipe or a device, expected a file");
+  if (static_cast<std::uint64_t>(info.st_size) > limitBytes) return tooLarge();
   std::string bytes;
+  bytes.reserve(static_cast<std::size_t>(info.st_size));
   char chunk[1 << 16];
   for (;;) {
     const ssize_t n = ::read(d.fd, chunk, sizeof chunk);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return ioError(path, "read", errno);
     if (n == 0) return bytes;
+    // It may have grown, and files of /proc say that they are empty.
+    if (bytes.size() + static_cast<std::size_t>(n) > limitBytes) return tooLarge();
     bytes.append(chunk, static_cast<std::size_t>(n));
-    if (bytes.size() > limitBytes) {
-      return makeError(ErrorKind::BadInput, path.string(), {},
-                       "is larger than the limit of " + std::to_string(limitBytes) + " bytes");
-    }
   }
-}
-
-Status writeFileAtomically(const fs::path& path, std::string_view bytes, Backup backup) {
-  // A link is followed, so that saving through one changes the file it names.
-  std::error_code ec;
-  const fs::path target = fs::is_symlink(path, ec) ? fs::weakly_canonical(path, ec) : path;
-  std::string temporary = target.string() + ".XXXXXX";
-  int failure = 0;
-  {
-    const Descriptor d{::mkostemp(temporary.data(), O_CLOEXEC)};
-    if (d.fd < 0) return ioError(path, "write", errno);
-    struct stat old {};
-    const bool exists = ::stat(target.c_str(), &old) == 0;
-    if (::fchmod(d.fd, exists ? old.st_mode & 07777 : newFileMode()) != 0) failure = errno;
-    if (failure == 0) failure = writeAll(d.fd, bytes);
-    if (failure == 0 && ::fsync(d.fd) != 0) failure = errno;
-  }
-  if (failure == 0 && backup == Backup::KeepOne && ::access(target.c_str(), F_OK) == 0) keepBackup(target);
-  if (failure == 0 && ::rename(temporary.c_str(), target.c_str()) != 0) failure = errno;
-  if (failure != 0) {
-    ::unlink(temporary.c_str());
-    return ioError(path, "write", failure);
-  }
-  syncFolder(target.has_parent_path() ? target.parent_path() : fs::path("."));
-  return Done{};
 }
 
 unsigned newFileMode() {
@@ -121,10 +75,10 @@ Status makeFolder(const fs::path& path) {
 Result<fs::path> findDataFolder(std::string_view name) {
   std::vector<fs::path> tried;
   if (const char* given = std::getenv("WINDLOOM_DATA")) tried.emplace_back(fs::path(given) / name);
+  // No path of the machine that built the program: a build folder is laid out as a prefix, with links to the sources.
   std::error_code ec;
   const fs::path program = fs::read_symlink("/proc/self/exe", ec);
   if (!ec) tried.emplace_back(program.parent_path().parent_path() / "share" / "windloom" / name);
-  tried.emplace_back(fs::path(WINDLOOM_SOURCE_DIR) / name);
   std::string list;
   for (const fs::path& folder : tried) {
     if (fs::is_directory(folder, ec)) return folder;

@@ -10,8 +10,8 @@
 
 namespace windloom {
 
-/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path
-/// is missing, is a folder, or is larger than `limitBytes`.
+/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path is missing, is a folder,
+/// pipe, device or socket (none is waited for), or is larger than `limitBytes`, seen before memory is taken.
 Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t limitBytes = 256ull << 20);
 
 enum class Backup { None, KeepOne };
@@ -28,9 +28,9 @@ unsigned newFileMode();
 /// Makes a folder and its parents. Fails with Machine.
 Status makeFolder(const std::filesystem::path& path);
 
-/// Where shaders and sample projects lie: $WINDLOOM_DATA if set, else beside the installed program
-/// (PREFIX/share/windloom), else the source tree the program was built from. `name` is "shaders" or
-/// "projects". Fails with Machine, naming the folders that were tried.
+/// Where the program's files lie: in $WINDLOOM_DATA if set, else in ../share/windloom seen from the program's own
+/// folder (links to a program are followed), which a build folder has as well. `name` is "shaders", "projects" or
+/// "icons". Fails with Machine, naming the folders that were tried.
 Result<std::filesystem::path> findDataFolder(std::string_view name);
 
 }  // namespace windloom

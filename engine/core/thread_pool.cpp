@@ -4,8 +4,10 @@
 #include <atomic>
 #include <condition_variable>
 #include <cstdlib>
+#include <exception>
 #include <mutex>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "engine/core/contract.hpp"
@@ -18,6 +20,7 @@ struct ThreadPool::State {
   std::condition_variable finished;
   const std::function<void(int)>* body = nullptr;
   std::atomic<int> next{0};
+  std::exception_ptr failure;  // the first of a body
   int chunks = 0;
   int busy = 0;
   unsigned generation = 0;
@@ -25,7 +28,13 @@ struct ThreadPool::State {
   std::vector<std::thread> workers;
 
   void drain() {
-    for (int chunk = next.fetch_add(1); chunk < chunks; chunk = next.fetch_add(1)) (*body)(chunk);
+    try {
+      for (int chunk = next.fetch_add(1); chunk < chunks; chunk = next.fetch_add(1)) (*body)(chunk);
+    } catch (...) {
+      next = chunks;
+      const std::lock_guard lock(mutex);
+      if (!failure) failure = std::current_exception();
+    }
   }
 
   void run() {
@@ -54,7 +63,12 @@ int chooseThreads(int asked) {
 }  // namespace
 
 ThreadPool::ThreadPool(int threads) : m_state(std::make_unique<State>()) {
-  for (int i = 1, n = chooseThreads(threads); i < n; ++i) m_state->workers.emplace_back([s = m_state.get()] { s->run(); });
+  try {
+    for (int i = 1, n = chooseThreads(threads); i < n; ++i)
+      m_state->workers.emplace_back([s = m_state.get()] { s->run(); });
+  } catch (const std::exception&) {
+    // The system gives no more threads, or memory has ended: those that are there will do.
+  }
 }
 
 ThreadPool::~ThreadPool() {
@@ -66,7 +80,9 @@ ThreadPool::~ThreadPool() {
   for (std::thread& worker : m_state->workers) worker.join();
 }
 
-int ThreadPool::threads() const { return static_cast<int>(m_state->workers.size()) + 1; }
+int ThreadPool::threads() const {
+  return static_cast<int>(m_state->workers.size()) + 1;
+}
 
 void ThreadPool::parallelFor(int chunks, const std::function<void(int)>& body) {
   State& s = *m_state;
@@ -88,6 +104,7 @@ void ThreadPool::parallelFor(int chunks, const std::function<void(int)>& body) {
   std::unique_lock lock(s.mutex);
   s.finished.wait(lock, [&] { return s.busy == 0; });
   s.body = nullptr;
+  if (s.failure) std::rethrow_exception(std::exchange(s.failure, nullptr));
 }
 
 }  // namespace windloom

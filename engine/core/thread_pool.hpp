@@ -19,8 +19,8 @@ class ThreadPool {
 
   /// Calls `body(chunk)` once for each chunk in [0, chunks), spread over the workers, and returns when
   /// all are done. What a chunk holds must be decided by the caller independently of the number of
-  /// threads: then results are the same bytes for any number. `body` must not throw and must not call
-  /// parallelFor of the same pool. One caller at a time.
+  /// threads: then results are the same bytes for any number. Where `body` throws (memory ended) no more chunks begin and
+  /// the first exception is thrown here. It must not call parallelFor of the same pool. One caller at a time.
   void parallelFor(int chunks, const std::function<void(int)>& body);
 
  private:

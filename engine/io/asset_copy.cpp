@@ -8,7 +8,7 @@
 #include "engine/io/json_document.hpp"
 #include "engine/io/sha256.hpp"
 #include "engine/io/terrain_file.hpp"
-#include "engine/model/validate.hpp"
+#include "engine/model/asset_names.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -89,24 +89,19 @@ std::string numbered(const std::string& stem, int number) {
 
 std::vector<std::string> assetFiles(const Project& project) {
   std::vector<std::string> files;
-  const auto add = [&](const std::string& file) {
-    if (!file.empty() && std::ranges::find(files, file) == files.end()) files.push_back(file);
-  };
-  add(project.terrain->file);
-  for (const std::string& map : {project.grass->densityMap, project.grass->heightMap, project.grass->colourMap})
-    add(map);
-  add(project.shell->texture);
-  for (const Species& species : *project.species) add(species.file);
-  for (const Collider& collider : *project.colliders) add(collider.file);
-  for (const Surface& surface : *project.surfaces) add(surface.file);
+  for (AssetName& name : assetNames(project)) {
+    if (std::ranges::find(files, name.file) == files.end()) files.push_back(std::move(name.file));
+  }
   return files;
 }
 
-Result<std::vector<std::string>> assetCompanions(const fs::path& file) {
+Result<std::vector<std::string>> assetCompanions(const fs::path& file, const FileAccess& access) {
   std::vector<std::string> names;
   if (terrainKindOf(file) != TerrainKind::Mesh) return names;
   const Result<std::string> text = readFile(file, kMaxTerrainBytes);
   if (!text) return text.error();
+  if (Status within = checkJsonExtent(jsonOf(*text), kMaxJsonValues, file.string()); !within) return within.error();
+  const FileAccess reach{access.folder.empty() ? fs::absolute(file).parent_path() : access.folder, access.outside};
   const JsonDocument document = JsonDocument::parse(jsonOf(*text), nullptr, false);
   if (!document.is_object())
     return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");
@@ -119,7 +114,8 @@ Result<std::vector<std::string>> assetCompanions(const fs::path& file) {
       const std::string& address = uri->get_ref<const std::string&>();
       if (address.starts_with("data:")) continue;
       const std::string name = decodeUri(address);
-      if (name.find(':') != name.npos || !assetFileProblem(name).empty()) {
+      const bool legal = name.find(':') == name.npos && assetFileProblem(name).empty() && outsideReason(name).empty();
+      if (!legal || !mayRead(reach, file.parent_path() / name)) {
         return makeError(ErrorKind::BadInput, file.string(), std::string("/") + list,
                          "refers to '" + address + "', expected files in its own folder: export it as one .glb file");
       }
@@ -156,14 +152,16 @@ Result<std::string> bringAsset(const fs::path& file, const fs::path& projectFold
   return makeError(ErrorKind::BadInput, file.string(), {}, "can't be copied: too many files have its name in assets/");
 }
 
-Status copyAssetsAlong(const std::vector<std::string>& files, const fs::path& fromFolder, const fs::path& toFolder) {
+Status copyAssetsAlong(const std::vector<std::string>& files, const fs::path& fromFolder, const fs::path& toFolder,
+                       OutsideFiles outside) {
   std::error_code failed;
   if (fs::equivalent(fromFolder, toFolder, failed)) return Done{};
   std::vector<std::string> names;  // below either folder
   for (const std::string& file : files) {
-    if (file.empty() || !isThere(fromFolder / file)) continue;
+    if (file.empty() || !outsideReason(file).empty() || !isThere(fromFolder / file)) continue;
+    if (!mayRead({fromFolder, outside}, fromFolder / file)) continue;
     const fs::path folder = fs::path(file).parent_path();
-    if (const Result<std::vector<std::string>> companions = assetCompanions(fromFolder / file)) {
+    if (const Result<std::vector<std::string>> companions = assetCompanions(fromFolder / file, {fromFolder, outside})) {
       for (const std::string& name : *companions) {
         if (isThere(fromFolder / folder / name)) names.push_back((folder / name).generic_string());
       }

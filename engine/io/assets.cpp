@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 
+#include "engine/core/out_of_memory.hpp"
 #include "engine/io/image.hpp"
 #include "engine/io/plant_file.hpp"
 #include "engine/model/sphere_packing.hpp"
@@ -17,7 +18,7 @@ enum class MapUse { Field, Blades };
 /// Reads each file once and keeps what went wrong.
 class Loader {
  public:
-  explicit Loader(const fs::path& projectFile) : m_projectFile(projectFile) {}
+  Loader(const fs::path& projectFile, OutsideFiles outside) : m_projectFile(projectFile), m_outside(outside) {}
 
   void know(MeshUse use, const std::shared_ptr<const PlantMesh>& mesh) {
     if (mesh) m_meshes[{use, mesh->file}] = mesh;
@@ -31,8 +32,18 @@ class Loader {
     if (mesh && mesh->file == file) return false;
     auto& known = m_meshes[{use, file}];
     if (!known) {
-      Result<std::shared_ptr<PlantMesh>> read = readPlantFile(pathOf(file), use);
+      const Result<fs::path> path = findAsset(m_projectFile, file, m_outside);
+      if (!path) return note(path.error(), pointer);
+      Result<std::shared_ptr<PlantMesh>> read = readPlantFile(*path, use, accessOf(m_projectFile, m_outside));
       if (!read) return note(read.error(), pointer);
+      const std::size_t triangles = (*read)->indices.size() / 3;
+      if (triangles > m_trianglesLeft) {
+        return note(makeError(ErrorKind::BadInput, file, {},
+                              "makes more than " + std::to_string(kMaxProjectTriangles / 1'000'000) +
+                                  " million triangles in all meshes of the project"),
+                    pointer);
+      }
+      m_trianglesLeft -= triangles;
       (*read)->file = file;
       known = *read;
     }
@@ -45,8 +56,10 @@ class Loader {
     if (map && map->file == file) return false;
     auto& known = m_maps[{use, file}];
     if (!known) {
+      const Result<fs::path> path = findAsset(m_projectFile, file, m_outside);
+      if (!path) return note(path.error(), pointer);
       Result<std::shared_ptr<GrassMap>> read =
-          use == MapUse::Blades ? readShellPicture(pathOf(file)) : readGrassMap(pathOf(file));
+          orOutOfMemory(file, [&] { return use == MapUse::Blades ? readShellPicture(*path) : readGrassMap(*path); });
       if (!read) return note(read.error(), pointer);
       (*read)->file = file;
       known = *read;
@@ -61,8 +74,6 @@ class Loader {
   }
 
  private:
-  fs::path pathOf(const std::string& file) const { return m_projectFile.parent_path() / fs::path(file); }
-
   bool note(const Error& error, const std::string& pointer) {
     for (const Problem& problem : error.problems)
       m_problems.push_back({m_projectFile.string(), pointer, problem.text()});
@@ -70,9 +81,11 @@ class Loader {
   }
 
   fs::path m_projectFile;
+  OutsideFiles m_outside;
   std::map<std::pair<MeshUse, std::string>, std::shared_ptr<const PlantMesh>> m_meshes;
   std::map<std::pair<MapUse, std::string>, std::shared_ptr<const GrassMap>> m_maps;
   std::vector<Problem> m_problems;
+  std::size_t m_trianglesLeft = kMaxProjectTriangles;
 };
 
 void fillSpecies(Project& project, Loader& loader) {
@@ -182,8 +195,8 @@ Result<std::shared_ptr<GrassMap>> readShellPicture(const fs::path& file) {
   return picture;
 }
 
-Status loadAssets(Project& project, const fs::path& projectFile) {
-  Loader loader(projectFile);
+Status loadAssets(Project& project, const fs::path& projectFile, OutsideFiles outside) {
+  Loader loader(projectFile, outside);
   fillSpecies(project, loader);
   fillColliders(project, loader);
   fillSurfaces(project, loader);

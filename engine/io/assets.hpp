@@ -6,9 +6,12 @@
 #include <memory>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom {
+
+inline constexpr std::size_t kMaxProjectTriangles = 20'000'000;  ///< of all meshes of a project, each file once
 
 /// A PNG picture (8 or 16 bit) for GrassSettings: black and white, or colours. One larger than kMaxGrassMap a side is
 /// made smaller by averaging. `file` of the map stays empty. Fails with BadInput, the file named, where it is missing,
@@ -22,8 +25,9 @@ Result<std::shared_ptr<GrassMap>> readShellPicture(const std::filesystem::path& 
 /// Fills in Species::mesh, Collider::mesh, Surface::mesh and the pixels of GrassSettings and ShellSettings of a project
 /// of this file.
 /// What is loaded already under the same name is shared, not read again. Fails with BadInput, one problem for each file
-/// that couldn't be read, at its place ("/species/2/file"); that mesh or map then stays as it was and all others are
-/// filled in.
-Status loadAssets(Project& project, const std::filesystem::path& projectFile);
+/// that couldn't be read, or that has more triangles than kMaxProjectTriangles leaves, at its place
+/// ("/species/2/file"); that mesh or map then stays as it was and all others are filled in.
+Status loadAssets(Project& project, const std::filesystem::path& projectFile,
+                  OutsideFiles outside = OutsideFiles::Refuse);
 
 }  // namespace windloom

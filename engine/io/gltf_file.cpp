@@ -6,14 +6,19 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "engine/core/file.hpp"
+#include "engine/io/json_document.hpp"
 
 namespace windloom::gltf {
 namespace fs = std::filesystem;
 namespace {
 
+/// Where a file's other files may lie, and what became of that.
 struct Reach {
   fs::path folder;
   Pictures pictures;
+  FileAccess access;
+  std::string refused;  // the first file that lies outside
+  std::uint64_t bytesLeft = kMaxBufferBytes;
 };
 
 bool isPicture(const fs::path& path) {
@@ -22,22 +27,38 @@ bool isPicture(const fs::path& path) {
 }
 
 bool mayRead(const std::string& name, void* data) {
-  const auto& reach = *static_cast<const Reach*>(data);
+  auto& reach = *static_cast<Reach*>(data);
   const fs::path path = fs::path(name).lexically_normal();
   const fs::path relative = path.lexically_relative(reach.folder);
   std::error_code ignored;
-  return path.is_absolute() && !relative.empty() && *relative.begin() != ".." &&
-         (reach.pictures == Pictures::Keep || !isPicture(path)) && fs::is_regular_file(path, ignored);
+  if (!path.is_absolute() || (reach.pictures != Pictures::Keep && isPicture(path))) return false;
+  if (!fs::is_regular_file(path, ignored)) return false;
+  const bool beside = !relative.empty() && *relative.begin() != "..";
+  const bool allowed = mayRead(reach.access, path) && (beside || reach.access.outside == OutsideFiles::Allow);
+  if (!allowed && reach.refused.empty()) reach.refused = relative.generic_string();
+  return allowed;
 }
 
-bool readWhole(std::vector<unsigned char>* out, std::string* problem, const std::string& name, void*) {
-  const Result<std::string> bytes = readFile(name, kMaxBytes);
+bool readWhole(std::vector<unsigned char>* out, std::string* problem, const std::string& name, void* data) {
+  auto& reach = *static_cast<Reach*>(data);
+  const Result<std::string> bytes = readFile(name, std::min(kMaxBytes, reach.bytesLeft));
   if (!bytes) {
     if (problem != nullptr) *problem = bytes.error().text();
     return false;
   }
+  reach.bytesLeft -= bytes->size();
   out->assign(bytes->begin(), bytes->end());
   return true;
+}
+
+/// The JSON of a file, alone or as the first chunk of a binary one.
+std::string_view jsonOf(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  if (!bytes.starts_with("glTF")) return bytes;
+  if (bytes.size() < kHeader + kChunkHeader) return {};
+  std::uint32_t length = 0;  // little endian, as the file is
+  std::memcpy(&length, bytes.data() + kHeader, sizeof length);
+  return bytes.substr(kHeader + kChunkHeader, length);
 }
 
 bool takePicture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
@@ -91,11 +112,14 @@ Error refuse(const fs::path& file, std::string message) {
   return makeError(ErrorKind::BadInput, file.string(), {}, std::move(message));
 }
 
-Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures) {
+Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures, const FileAccess& access) {
   const Result<std::string> bytes = readFile(file, kMaxBytes);
   if (!bytes) return bytes.error();
+  // The library knows no limits: it follows nested values by recursion and makes an object of each.
+  if (Status within = checkJsonExtent(jsonOf(*bytes), kMaxValues, file.string()); !within) return within.error();
   std::error_code ignored;
-  Reach reach{fs::absolute(file, ignored).lexically_normal().parent_path(), pictures};
+  Reach reach{fs::absolute(file, ignored).lexically_normal().parent_path(), pictures, access, {}};
+  if (reach.access.folder.empty()) reach.access.folder = reach.folder;
   tinygltf::TinyGLTF loader;
   tinygltf::FsCallbacks files{};
   files.FileExists = mayRead;
@@ -113,6 +137,10 @@ Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures) {
       binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
                                            reinterpret_cast<const unsigned char*>(bytes->data()), size, folder)
              : loader.LoadASCIIFromString(&model, &problem, &warning, bytes->data(), size, folder);
+  if (!good && !reach.refused.empty()) {
+    return refuse(file, "refers to '" + reach.refused +
+                            "', which lies outside its folder: such files are read only where you allow it");
+  }
   if (!good)
     return refuse(file, "is no glTF file that can be read: " + oneLine(problem.empty() ? "it is damaged" : problem));
   for (const std::string& extension : model.extensionsRequired) {
@@ -129,6 +157,7 @@ Result<std::vector<PlacedMesh>> meshesOfScene(const tinygltf::Model& model, cons
   for (const int root : *roots) open.emplace_back(root, glm::dmat4(1.0));
   std::vector<bool> seen(model.nodes.size());
   std::vector<PlacedMesh> placed;
+  std::size_t primitives = 0;
   while (!open.empty()) {
     const auto [index, parent] = open.back();
     open.pop_back();
@@ -142,6 +171,9 @@ Result<std::vector<PlacedMesh>> meshesOfScene(const tinygltf::Model& model, cons
     if (node.mesh >= 0) {
       if (!inside(node.mesh, model.meshes.size()))
         return refuse(file, "refers to mesh " + std::to_string(node.mesh) + ", which is not there");
+      primitives += model.meshes[static_cast<std::size_t>(node.mesh)].primitives.size();
+      if (primitives > kMaxPlacedPrimitives)
+        return refuse(file, "places more than " + amount(kMaxPlacedPrimitives) + " pieces of meshes in its scene");
       placed.push_back({static_cast<std::size_t>(node.mesh), world});
     }
     for (const int child : node.children) open.emplace_back(child, world);

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
+#include "engine/io/gltf_limits.hpp"
 
 namespace windloom::gltf {
-
-inline constexpr std::uint64_t kMaxBytes = 1ull << 30;  ///< of any one file
 
 /// BadInput with the file's name.
 Error refuse(const std::filesystem::path& file, std::string message);
@@ -23,15 +23,17 @@ enum class Pictures {
   Keep,   ///< Image::image holds the file's bytes as they are (PNG, JPEG); empty where the file is missing
 };
 
-/// A .glb or .gltf with its buffers. Only files in its own folder are opened. Fails with BadInput where it is missing,
-/// damaged or needs an extension that can't be read.
-Result<tinygltf::Model> parse(const std::filesystem::path& file, Pictures pictures);
+/// A .glb or .gltf with its buffers. Other files are opened only below its own folder and where `access` lets them be,
+/// or anywhere on this machine where it allows that; nothing is ever fetched. Fails with BadInput where it is missing,
+/// damaged, over a limit or needs an extension that can't be read.
+Result<tinygltf::Model> parse(const std::filesystem::path& file, Pictures pictures, const FileAccess& access = {});
 
 /// A mesh where the default scene (or, without scenes, every node) puts it. `mesh` is a valid index.
 struct PlacedMesh {
   std::size_t mesh = 0;
   glm::dmat4 world{1.0};
 };
+/// Fails with BadInput where a node or mesh isn't there, and where more than kMaxPlacedPrimitives would be placed.
 Result<std::vector<PlacedMesh>> meshesOfScene(const tinygltf::Model& model, const std::filesystem::path& file);
 
 /// Its mode is triangles.

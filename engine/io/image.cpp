@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/core/file.hpp"
+#include "engine/io/file_limits.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -135,7 +136,7 @@ Result<BasicImage<Sample>> decodeAs(std::span<const unsigned char> bytes, const 
 
 template <class Sample>
 Result<BasicImage<Sample>> readAs(const fs::path& path) {
-  const Result<std::string> bytes = readFile(path);
+  const Result<std::string> bytes = readFile(path, kMaxPngBytes);
   if (!bytes) return bytes.error();
   return decodeAs<Sample>({reinterpret_cast<const unsigned char*>(bytes->data()), bytes->size()}, path.string(), {});
 }

@@ -120,8 +120,7 @@ class Builder final : public nlohmann::json_sax<JsonDocument> {
 
 bool isShort(const JsonDocument& value) {
   if (!value.is_structured()) return true;
-  return value.size() <= 4 &&
-         std::ranges::all_of(value, [](const JsonDocument& v) { return v.is_primitive(); });
+  return value.size() <= 4 && std::ranges::all_of(value, [](const JsonDocument& v) { return v.is_primitive(); });
 }
 
 }  // namespace
@@ -130,6 +129,30 @@ Result<JsonDocument> parseJsonDocument(std::string_view text, const std::string&
   Builder builder(text, file);
   JsonDocument::sax_parse(text.begin(), text.end(), &builder);
   return builder.finish();
+}
+
+Status checkJsonExtent(std::string_view text, std::size_t mostValues, const std::string& file) {
+  const auto refuse = [&](const std::string& what) { return makeError(ErrorKind::BadInput, file, {}, what); };
+  std::size_t depth = 0, values = 1;
+  bool inText = false;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (inText) {
+      if (c == '\\') ++i;
+      if (c == '"') inText = false;
+    } else if (c == '"') {
+      inText = true;
+    } else if (c == '[' || c == '{') {
+      if (++depth > kMaxJsonDepth) return refuse("is nested deeper than " + std::to_string(kMaxJsonDepth) + " levels");
+      ++values;
+    } else if (c == ']' || c == '}') {
+      if (depth > 0) --depth;
+    } else if (c == ',') {
+      ++values;
+    }
+    if (values > mostValues) return refuse("holds more than " + std::to_string(mostValues) + " values");
+  }
+  return Done{};
 }
 
 std::string pointerPart(std::string_view key) {

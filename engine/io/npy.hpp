@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/result.hpp"
-#include "engine/io/atomic_file.hpp"
 
 namespace windloom {
 

@@ -4,8 +4,8 @@
 #include <cctype>
 #include <cmath>
 #include <cstring>
-#include <new>
 
+#include "engine/core/out_of_memory.hpp"
 #include "engine/io/gltf_file.hpp"
 #include "engine/io/plant_texture.hpp"
 #include "engine/model/sphere_packing.hpp"
@@ -63,6 +63,7 @@ class PlantReader {
   Status gatherMaterials(const std::vector<gltf::PlacedMesh>& placed) {
     for (const gltf::PlacedMesh& one : placed) {
       for (const tinygltf::Primitive& primitive : m_model.meshes[one.mesh].primitives) {
+        if (m_used.size() > gltf::kMaxMaterials) break;  // refused below; so many are not looked up one by one
         const bool known = std::ranges::find(m_used, primitive.material) != m_used.end();
         if (drawn(primitive) && !known) m_used.push_back(primitive.material);
       }
@@ -175,6 +176,8 @@ class PlantReader {
     for (std::size_t i = first; i < vertices.size(); ++i) {
       glm::vec2 uv(0.5f);
       if (material.texCoord >= 0) uv = glm::vec2(material.transform * glm::vec3(glm::vec2(values[i - first]), 1.0f));
+      if (!std::isfinite(uv.x) || !std::isfinite(uv.y))
+        return refuse(m_file, "has a texture that is moved or scaled beyond all measure");
       constexpr float kSlack = 0.01f;
       if (!material.alone && (std::min(uv.x, uv.y) < -kSlack || std::max(uv.x, uv.y) > 1.0f + kSlack)) {
         return refuse(m_file, "has several textures and repeats one of them: use one texture, or coordinates in 0..1");
@@ -239,18 +242,16 @@ bool isGltf(const fs::path& file) {
 
 }  // namespace
 
-Result<std::shared_ptr<PlantMesh>> readPlantFile(const fs::path& file, MeshUse use) {
+Result<std::shared_ptr<PlantMesh>> readPlantFile(const fs::path& file, MeshUse use, const FileAccess& access) {
   if (!isGltf(file)) return refuse(file, "is no mesh, expected a glTF file (.glb or .gltf)");
-  try {
+  return orOutOfMemory(file.string(), [&]() -> Result<std::shared_ptr<PlantMesh>> {
     const Result<tinygltf::Model> model =
-        gltf::parse(file, use == MeshUse::Surface ? gltf::Pictures::Leave : gltf::Pictures::Keep);
+        gltf::parse(file, use == MeshUse::Surface ? gltf::Pictures::Leave : gltf::Pictures::Keep, access);
     if (!model) return model.error();
     Result<std::shared_ptr<PlantMesh>> mesh = PlantReader(*model, file, use).read();
     if (mesh && use == MeshUse::Object) (*mesh)->spheres = packSpheres(**mesh);
     return mesh;
-  } catch (const std::bad_alloc&) {
-    return makeError(ErrorKind::Machine, file.string(), {}, "can't be read: there is not enough memory");
-  }
+  });
 }
 
 }  // namespace windloom

@@ -10,6 +10,7 @@
 #include <memory>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 #include "engine/model/plant_mesh.hpp"
 
 namespace windloom {
@@ -22,8 +23,9 @@ enum class MeshUse {
   Surface,  ///< at most kMaxSurfaceTriangles; must have an area; without colours and textures
 };
 
-/// `file` of the mesh stays empty. Fails with BadInput, the file named, where it is missing, damaged, empty or over a
-/// limit.
-Result<std::shared_ptr<PlantMesh>> readPlantFile(const std::filesystem::path& file, MeshUse use);
+/// `file` of the mesh stays empty; `access` is for the files that it needs. Fails with BadInput, the file named, where
+/// it is missing, damaged, empty or over a limit, with Machine where there is not enough memory.
+Result<std::shared_ptr<PlantMesh>> readPlantFile(const std::filesystem::path& file, MeshUse use,
+                                                 const FileAccess& access = {});
 
 }  // namespace windloom

@@ -31,6 +31,35 @@ glm::ivec2 jpegSize(const std::vector<unsigned char>& bytes) {
   return glm::ivec2(0);
 }
 
+/// Whether no Huffman table (the segment at `at` holds some) has more than the 256 codes that there can be.
+bool tablesFit(const std::vector<unsigned char>& bytes, std::size_t at, std::size_t end) {
+  constexpr std::size_t kHead = 17;  // its number, then how many codes there are of each length
+  while (at < std::min(end, bytes.size())) {
+    std::size_t codes = 0;
+    for (std::size_t i = 1; i < kHead && at + i < bytes.size(); ++i) codes += bytes[at + i];
+    if (codes > 256) return false;
+    at += kHead + codes;
+  }
+  return true;
+}
+
+/// The library that decodes JPEG writes beyond its tables where one is too long (stb_image before 2.29), so all are
+/// looked at first, segment by segment up to the end of the picture.
+bool jpegTablesFit(const std::vector<unsigned char>& bytes) {
+  for (std::size_t at = 0; at + 3 < bytes.size();) {
+    if (bytes[at++] != 0xff) continue;
+    while (at + 2 < bytes.size() && bytes[at] == 0xff) ++at;
+    const unsigned kind = bytes[at++];
+    if (kind == 0xd9) return true;
+    if (kind == 0x00 || kind == 0x01 || (kind >= 0xd0 && kind <= 0xd8)) continue;  // no segment: coded picture
+    if (at + 1 >= bytes.size()) return true;
+    const std::size_t length = bytes[at] * 256u + bytes[at + 1];
+    if (kind == 0xc4 && !tablesFit(bytes, at + 2, at + length)) return false;
+    at += std::max<std::size_t>(length, 2);
+  }
+  return true;
+}
+
 Image toRgba(const Image& from) {
   if (from.channels == 4) return from;
   Image to(from.width, from.height, 4);
@@ -45,14 +74,27 @@ Image toRgba(const Image& from) {
   return to;
 }
 
+bool isJpeg(const std::vector<unsigned char>& bytes) {
+  return bytes.size() > 3 && bytes[0] == 0xff && bytes[1] == 0xd8;
+}
+
+/// Width and height as the picture's header says, which may be a lie; 0 where there is no header.
+glm::i64vec2 sizeInHeader(const std::vector<unsigned char>& bytes) {
+  if (isJpeg(bytes)) return jpegSize(bytes);
+  if (bytes.size() < 24 || bytes[0] != 0x89 || bytes[1] != 'P') return glm::i64vec2(0);
+  const auto sideAt = [&](std::size_t at) {
+    return std::int64_t{bytes[at]} << 24 | bytes[at + 1] << 16 | bytes[at + 2] << 8 | bytes[at + 3];
+  };
+  return {sideAt(16), sideAt(20)};
+}
+
 Result<Image> decodeJpeg(const std::vector<unsigned char>& bytes, const fs::path& file, const std::string& pointer) {
   const auto bad = [&](const std::string& text) {
     return makeError(ErrorKind::BadInput, file.string(), pointer, text);
   };
   const glm::ivec2 size = jpegSize(bytes);
   if (size.x <= 0 || size.y <= 0) return bad("is a damaged JPEG picture");
-  if (std::max(size.x, size.y) > kMaxPictureSide)
-    return bad("has more than " + std::to_string(kMaxPictureSide) + " pixels a side");
+  if (!jpegTablesFit(bytes)) return bad("is a damaged JPEG picture");
   tinygltf::Image decoded;
   std::string problem, warning;
   const bool good = tinygltf::LoadImageData(&decoded, 0, &problem, &warning, 0, 0, bytes.data(),
@@ -65,7 +107,8 @@ Result<Image> decodeJpeg(const std::vector<unsigned char>& bytes, const fs::path
   return image;
 }
 
-Result<Image> readPicture(const tinygltf::Model& model, int index, const fs::path& file) {
+/// `pixelsLeft`: how many more the plant's pictures may have.
+Result<Image> readPicture(const tinygltf::Model& model, int index, const fs::path& file, std::int64_t& pixelsLeft) {
   const std::string pointer = pointerOf(index);
   const auto bad = [&](const std::string& text) {
     return makeError(ErrorKind::BadInput, file.string(), pointer, text);
@@ -78,14 +121,14 @@ Result<Image> readPicture(const tinygltf::Model& model, int index, const fs::pat
     return bad(source.uri.empty() ? "is an empty picture"
                                   : "refers to the picture '" + source.uri + "', which is not beside it");
   }
-  if (bytes.size() > 3 && bytes[0] == 0xff && bytes[1] == 0xd8) return decodeJpeg(bytes, file, pointer);
-  if (bytes.size() < 24 || bytes[0] != 0x89 || bytes[1] != 'P')
-    return bad("is a picture that can't be read, expected PNG or JPEG");
-  const auto sideAt = [&](std::size_t at) {
-    return bytes[at] * 16777216.0 + bytes[at + 1] * 65536.0 + bytes[at + 2] * 256.0 + bytes[at + 3];
-  };
-  if (std::max(sideAt(16), sideAt(20)) > kMaxPictureSide)
+  const glm::i64vec2 size = sizeInHeader(bytes);
+  if (std::max(size.x, size.y) > kMaxPictureSide)
     return bad("has more than " + std::to_string(kMaxPictureSide) + " pixels a side");
+  pixelsLeft -= size.x * size.y;
+  if (pixelsLeft < 0)
+    return bad("makes more than " + std::to_string(kMaxPicturePixels >> 20) + " million pixels in all pictures");
+  if (isJpeg(bytes)) return decodeJpeg(bytes, file, pointer);
+  if (size.x <= 0) return bad("is a picture that can't be read, expected PNG or JPEG");
   Result<Image> image = decodePng(bytes, file.string(), pointer);
   if (!image) return image.error();
   return toRgba(*image);
@@ -186,7 +229,7 @@ class Packer {
       const tinygltf::Material& material = m_model.materials[static_cast<std::size_t>(index)];
       const auto& factor = material.pbrMetallicRoughness.baseColorFactor;
       for (std::size_t c = 0; c < 4 && c < factor.size(); ++c)
-        made.colour[static_cast<int>(c)] = static_cast<float>(factor[c]);
+        made.colour[static_cast<int>(c)] = static_cast<float>(std::clamp(factor[c], 0.0, 1.0));  // as glTF has it
       const bool opaque = material.alphaMode != "MASK" && material.alphaMode != "BLEND";
       takeCutoff(material, made);
       const tinygltf::TextureInfo& info = material.pbrMetallicRoughness.baseColorTexture;
@@ -244,7 +287,7 @@ class Packer {
     const int source = m_model.textures[static_cast<std::size_t>(texture)].source;
     const auto known = m_known.find({source, opaque});
     if (known != m_known.end()) return known->second;
-    Result<Image> image = readPicture(m_model, source, m_file);
+    Result<Image> image = readPicture(m_model, source, m_file, m_pixelsLeft);
     if (!image) return image.error();
     if (opaque) {
       for (std::size_t i = 3; i < image->pixels.size(); i += 4) image->pixels[i] = 255;
@@ -262,16 +305,15 @@ class Packer {
   std::vector<Layer> m_layers;
   std::map<std::pair<int, bool>, int> m_known;
   float m_cutoff = 0.0f;
+  std::int64_t m_pixelsLeft = kMaxPicturePixels;
 };
 
 }  // namespace
 
 Result<std::vector<PlantMaterial>> packMaterials(const tinygltf::Model& model, const std::vector<int>& used,
                                                  const fs::path& file, PlantMesh& mesh) {
-  constexpr std::size_t kMost = 16;
-  if (used.size() > kMost)
-    return refuse(file,
-                  "uses " + std::to_string(used.size()) + " materials, expected at most " + std::to_string(kMost));
+  if (used.size() > kMaxMaterials)
+    return refuse(file, "uses more than " + std::to_string(kMaxMaterials) + " materials");
   Packer packer(model, file);
   for (const int index : used) {
     if (Status added = packer.add(index); !added) return added.error();

@@ -6,8 +6,6 @@
 
 namespace windloom::gltf {
 
-inline constexpr int kMaxPictureSide = 8192;  ///< pixels of one picture in the file
-
 /// A material as the triangles that use it need it.
 struct PlantMaterial {
   glm::vec4 colour{1.0f};           ///< linear, times texture and vertex
@@ -19,7 +17,7 @@ struct PlantMaterial {
 
 /// Makes mesh.texture, textureSize and alphaCutoff from the materials that `used` names (-1: none given), and says how
 /// each is used, in the order of `used`. Several pictures are stacked, so that they can't repeat. Fails with BadInput
-/// where a picture is missing, damaged, no PNG or JPEG, or larger than kMaxPictureSide.
+/// where a picture is missing, damaged or no PNG or JPEG, or where a limit above is passed.
 Result<std::vector<PlantMaterial>> packMaterials(const tinygltf::Model& model, const std::vector<int>& used,
                                                  const std::filesystem::path& file, PlantMesh& mesh);
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <span>
 
+#include "engine/core/atomic_file.hpp"
 #include "engine/core/result.hpp"
-#include "engine/io/atomic_file.hpp"
 
 namespace windloom {
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom {
@@ -26,11 +27,12 @@ struct LoadedProject {
   /// Files that the project names and that are missing or broken. The project is whole all the same and saves as
   /// it was; the ground is flat.
   std::vector<Problem> missing;
+  bool outsideRefused = false;  ///< some of them lie outside the project's folder, and that was not allowed
 };
 
-/// Fails with BadInput, all problems collected, or with Machine where the file can't be read. Reads the terrain's
-/// file, too, which lies below the folder of `path`.
-Result<LoadedProject> loadProject(const std::filesystem::path& path);
+/// Fails with BadInput, all problems collected, or with Machine where the file can't be read or there is not enough
+/// memory. Reads the files that it names, too: those outside the folder of `path` only where that is allowed.
+Result<LoadedProject> loadProject(const std::filesystem::path& path, OutsideFiles outside = OutsideFiles::Refuse);
 
 /// The same from text, without the terrain's file; `fileName` only goes into messages.
 Result<LoadedProject> parseProject(std::string_view text, const std::string& fileName);

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "engine/core/file.hpp"
+#include "engine/core/out_of_memory.hpp"
 #include "engine/io/assets.hpp"
 #include "engine/io/json_document.hpp"
 #include "engine/io/project_json.hpp"
@@ -346,7 +347,7 @@ Result<LoadedProject> parseProject(std::string_view text, const std::string& fil
   if (!document) return document.error();
   Reader reader;
   if (Status prepared = prepare(*document, fileName, reader.warnings); !prepared) return prepared.error();
-  LoadedProject loaded{reader.read(*document), {}, {}};
+  LoadedProject loaded{reader.read(*document), {}, {}, false};
   addSemanticProblems(loaded.project, reader.problems);
   for (auto* list : {&reader.problems, &reader.warnings}) {
     for (Problem& problem : *list) problem.file = fileName;
@@ -356,16 +357,21 @@ Result<LoadedProject> parseProject(std::string_view text, const std::string& fil
   return loaded;
 }
 
-Result<LoadedProject> loadProject(const std::filesystem::path& path) {
-  Result<std::string> text = readFile(path, kMaxProjectBytes);
-  if (!text) return text.error();
-  Result<LoadedProject> loaded = parseProject(*text, path.string());
-  if (!loaded) return loaded;
-  if (Status terrain = loadTerrain(loaded->project, path); !terrain) loaded->missing = terrain.error().problems;
-  if (Status assets = loadAssets(loaded->project, path); !assets) {
-    for (Problem& problem : Error(assets.error()).problems) loaded->missing.push_back(std::move(problem));
-  }
-  return loaded;
+Result<LoadedProject> loadProject(const std::filesystem::path& path, OutsideFiles outside) {
+  return orOutOfMemory(path.string(), [&]() -> Result<LoadedProject> {
+    Result<std::string> text = readFile(path, kMaxProjectBytes);
+    if (!text) return text.error();
+    Result<LoadedProject> loaded = parseProject(*text, path.string());
+    if (!loaded) return loaded;
+    Project& project = loaded->project;
+    if (Status terrain = loadTerrain(project, path, outside); !terrain) loaded->missing = terrain.error().problems;
+    if (Status assets = loadAssets(project, path, outside); !assets) {
+      for (Problem& problem : Error(assets.error()).problems) loaded->missing.push_back(std::move(problem));
+    }
+    loaded->outsideRefused =
+        outside == OutsideFiles::Refuse && !loaded->missing.empty() && namesFilesOutside(project, path);
+    return loaded;
+  });
 }
 
 }  // namespace windloom

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "engine/core/out_of_memory.hpp"
 #include "engine/io/image.hpp"
 #include "engine/io/terrain_mesh.hpp"
 
@@ -75,30 +76,33 @@ std::optional<TerrainKind> terrainKindOf(const fs::path& file) {
   return std::nullopt;
 }
 
-Result<std::shared_ptr<HeightSource>> readTerrainFile(const fs::path& file, TerrainKind kind, const LoadWatch& watch) {
+Result<std::shared_ptr<HeightSource>> readTerrainFile(const fs::path& file, TerrainKind kind, const LoadWatch& watch,
+                                                      const FileAccess& access) {
   const bool picture = kind == TerrainKind::HeightMap;
   if (terrainKindOf(file) != kind) {
     return refuse(file, picture ? "is no height map, expected a PNG picture (.png)"
                                 : "is no mesh, expected a glTF file (.glb or .gltf)");
   }
   if (watch && !watch("Reading " + file.filename().string())) return makeError(ErrorKind::Usage, "stopped");
-  Result<std::shared_ptr<HeightSource>> source = [&]() -> Result<std::shared_ptr<HeightSource>> {
+  const auto read = [&]() -> Result<std::shared_ptr<HeightSource>> {
     if (picture) return readPicture(file, watch);
-    const Result<TriangleMesh> mesh = readMesh(file, watch);
+    const Result<TriangleMesh> mesh = readMesh(file, watch, access);
     if (!mesh) return mesh.error();
     return heightsOfMesh(*mesh, file, watch);
-  }();
+  };
+  Result<std::shared_ptr<HeightSource>> source = orOutOfMemory(file.string(), read);
   if (!source) return source;
   (*source)->kind = kind;
   findRange(**source);
   return source;
 }
 
-Status loadTerrain(Project& project, const fs::path& projectFile) {
+Status loadTerrain(Project& project, const fs::path& projectFile, OutsideFiles outside) {
   if (project.terrain->kind == TerrainKind::Flat) return Done{};
   TerrainSettings terrain = *project.terrain;
+  const Result<fs::path> file = findAsset(projectFile, terrain.file, outside);
   Result<std::shared_ptr<HeightSource>> source =
-      readTerrainFile(projectFile.parent_path() / fs::path(terrain.file), terrain.kind);
+      file ? readTerrainFile(*file, terrain.kind, {}, accessOf(projectFile, outside)) : file.error();
   if (!source) {
     Error error = source.error();
     for (Problem& problem : error.problems) problem = {projectFile.string(), "/terrain/file", problem.text()};

@@ -16,6 +16,7 @@
 #include <string_view>
 
 #include "engine/core/result.hpp"
+#include "engine/io/file_access.hpp"
 #include "engine/model/project.hpp"
 
 namespace windloom {
@@ -31,12 +32,14 @@ using LoadWatch = std::function<bool(std::string_view doing)>;
 std::optional<TerrainKind> terrainKindOf(const std::filesystem::path& file);
 
 /// Fails with BadInput (file named) where the file is missing, damaged, over a limit above, or of another kind, and
-/// with Usage where `watch` stopped it. The source's `file` is left empty.
+/// with Usage where `watch` stopped it, with Machine where there is not enough memory. The source's `file` is left
+/// empty; `access` is for the files that a mesh needs.
 Result<std::shared_ptr<HeightSource>> readTerrainFile(const std::filesystem::path& file, TerrainKind kind,
-                                                      const LoadWatch& watch = {});
+                                                      const LoadWatch& watch = {}, const FileAccess& access = {});
 
 /// Fills in the heights of a project of this file. Fails with BadInput at /terrain/file; the ground is then flat and
 /// all else as it was.
-Status loadTerrain(Project& project, const std::filesystem::path& projectFile);
+Status loadTerrain(Project& project, const std::filesystem::path& projectFile,
+                   OutsideFiles outside = OutsideFiles::Refuse);
 
 }  // namespace windloom

@@ -115,8 +115,8 @@ void fillHoles(HeightSource& source) {
 
 }  // namespace
 
-Result<TriangleMesh> readMesh(const fs::path& file, const LoadWatch& watch) {
-  const Result<tinygltf::Model> model = gltf::parse(file, gltf::Pictures::Leave);
+Result<TriangleMesh> readMesh(const fs::path& file, const LoadWatch& watch, const FileAccess& access) {
+  const Result<tinygltf::Model> model = gltf::parse(file, gltf::Pictures::Leave, access);
   if (!model) return model.error();
   if (watch && !watch("Gathering triangles")) return stopped();
   return collect(*model, file);

@@ -11,7 +11,8 @@ struct TriangleMesh {
 };
 
 /// Fails as readTerrainFile does.
-Result<TriangleMesh> readMesh(const std::filesystem::path& file, const LoadWatch& watch = {});
+Result<TriangleMesh> readMesh(const std::filesystem::path& file, const LoadWatch& watch = {},
+                              const FileAccess& access = {});
 
 /// The mesh seen from above, see terrain_file.hpp. Fails with BadInput (`file` goes into the message) where it covers
 /// no ground, and with Usage where `watch` stopped it.

@@ -5,6 +5,7 @@
 #include <unordered_map>
 
 #include "engine/core/text.hpp"
+#include "engine/model/asset_names.hpp"
 #include "engine/model/id_index.hpp"
 #include "engine/model/outline.hpp"
 #include "engine/model/parameters.hpp"
@@ -314,6 +315,18 @@ void checkTerrain(Problems& problems, const TerrainSettings& terrain) {
             "the picture or mesh that this kind of ground is made from", [] { return std::string("/terrain/file"); });
 }
 
+/// A file may say what it likes, since nothing outside is read before the user allows it; edits and what is pasted
+/// bring no new names of this kind in.
+void checkNewFiles(Problems& problems, const Project& project, const Project& valid) {
+  const std::vector<AssetName> old = assetNames(valid);
+  for (const AssetName& name : assetNames(project)) {
+    const std::string_view reason = outsideReason(name.file);
+    if (reason.empty() || std::ranges::find(old, name.file, &AssetName::file) != old.end()) continue;
+    add(problems, name.pointer,
+        "found '" + name.file + "', " + std::string(reason) + ": expected a path below the project's folder");
+  }
+}
+
 Problems validateParts(const Project& project, const Project* valid) {
   Problems problems;
   const auto changed = [&](auto part) { return valid == nullptr || project.*part != valid->*part; };
@@ -343,6 +356,9 @@ Problems validateParts(const Project& project, const Project* valid) {
   if (changed(&Project::probes))
     checkRecords(problems, *project.probes, valid ? valid->probes.get() : nullptr, "/probes", kMaxProbes);
   if (changed(&Project::cameras)) checkCameras(problems, *project.cameras);
+  const bool files = changed(&Project::terrain) || changed(&Project::grass) || changed(&Project::shell) ||
+                     changed(&Project::species) || changed(&Project::colliders) || changed(&Project::surfaces);
+  if (valid != nullptr && files) checkNewFiles(problems, project, *valid);
   if (changed(&Project::field) || changed(&Project::grass)) checkBlades(problems, project);
   if (changed(&Project::graph) || changed(&Project::obstacles) || changed(&Project::species) ||
       changed(&Project::colliders) || changed(&Project::surfaces) || changed(&Project::rotors) ||
@@ -370,24 +386,6 @@ std::string colliderKeyProblem(const ColliderKey& key) {
   return std::string(time ? "its offset" : "its time") +
          " is out of range: expected [time, x, height, z] with a time from 0 to " + shortest(kMaxColliderKeyTimeS) +
          " (s) and an offset from " + shortest(-kMaxColliderOffsetM) + " to " + shortest(kMaxColliderOffsetM) + " (m)";
-}
-
-std::string assetFileProblem(std::string_view file) {
-  if (file.empty()) return {};
-  const auto refuse = [&](const char* why) {
-    return "found '" + std::string(file) + "', " + why +
-           ": expected a path below the project's folder with '/' between folders";
-  };
-  if (file.front() == '/') return refuse("an absolute path");
-  if (file.find('\\') != file.npos) return refuse("which holds a backslash");
-  for (std::size_t start = 0; start <= file.size();) {
-    const std::size_t end = std::min(file.find('/', start), file.size());
-    const std::string_view part = file.substr(start, end - start);
-    if (part == "..") return refuse("which leaves the project's folder");
-    if (part.empty() || part == ".") return refuse("which has an empty part");
-    start = end + 1;
-  }
-  return {};
 }
 
 std::vector<Problem> validate(const Project& project) {

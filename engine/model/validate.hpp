@@ -35,15 +35,11 @@ std::string signalKeyProblem(const SignalKey& key);
 /// Where a collider key's time or offset is out of range: what was expected. Empty where it is legal.
 std::string colliderKeyProblem(const ColliderKey& key);
 
-/// Where the name of a file that a project uses (terrain, species, collider, surface, map) would leave the project's
-/// folder: what was expected. Empty where it is legal or empty.
-std::string assetFileProblem(std::string_view file);
-
 /// Every problem, in file order, with JSON pointers: parameters out of range; ids zero or used twice;
 /// arrows to missing points, from a point to itself, or between points at the same place; two arrows
 /// with the same ends; signals of missing points, two for one root, or with keys out of range, not
 /// ascending or (when looped) after the period; periodic sides without partner; cameras that look at
-/// their own place; files that leave the project's folder, and none where a terrain or a mesh needs one; colliders'
+/// their own place; names of files that are no paths, and none where a terrain or a mesh needs one; colliders'
 /// keys out of range or not ascending; a gravity without direction; counts over the limits. Empty: valid.
 std::vector<Problem> validate(const Project& project);
 

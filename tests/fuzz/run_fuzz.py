@@ -1,83 +1,84 @@
-"""Runs the fuzzer of wind packs for a while on good packs of every kind and what becomes of them.
+"""Runs one fuzz target for a while: first every input that once broke something, then the corpus and what becomes of it.
 
-usage: run_fuzz.py PROGRAM SECONDS CRASHES
-CRASHES is the folder where the input that broke something is left.
+usage: run_fuzz.py PROGRAM SECONDS CRASHES [KEEP]
+PROGRAM is .../NAME_fuzz; CRASHES is the folder where an input that breaks something is left; KEEP one that gets the inputs
+that were found to reach more than others, to be put into corpus/NAME. Needs the program, Python and
+this repository, nothing else. Fails where an input crashes, hangs, leaks or takes too much memory, or where hardly anything
+was tried. Tells in one line what was done.
 """
+import os
 import pathlib
-import random
+import re
 import shutil
-import struct
 import subprocess
 import sys
 import tempfile
-import zlib
 
-LOOP, WRAP_X, WRAP_Z, FLOATS, ZSTD = 1, 2, 4, 8, 16
+import seeds
 
-
-def pack(version=2, flags=0, width=4, height=3, frames=2, quantity=0, roughness=0.03, seed=1):
-    """A pack after docs/windpack.md."""
-    numbers = random.Random(seed)
-    cell = "2f" if flags & FLOATS else "2e"
-    cells = b"".join(struct.pack("<" + cell, numbers.uniform(-9, 9), numbers.uniform(-9, 9))
-                     for _ in range(width * height * frames))
-    head = struct.pack("<8s6I4f2fd2Q", b"WINDPACK", version, 0x01020304, flags, width, height, frames, -2, -1, 6, 5, 10, 20, 1.5,
-                       len(cells), 0)
-    if version >= 2:
-        head += struct.pack("<I2fI", quantity, 2, roughness, 0)
-    if flags & ZSTD:
-        cells = subprocess.run(["zstd", "-q", "-c", "--no-check"], input=cells, capture_output=True, check=True).stdout
-    body = head + cells
-    return body + struct.pack("<I", zlib.crc32(body))
+HERE = pathlib.Path(__file__).resolve().parent
+LONGEST = {"project": 32768, "clipboard": 32768, "rescue": 32768, "gltf": 8192, "preferences": 65536, "live": 512, "typed": 256,
+           "command_line": 1024}
 
 
-def write_corpus(folder):
-    packs = [pack(version=1), pack(version=1, flags=LOOP | WRAP_X, width=1, frames=3), pack(), pack(flags=FLOATS),
-             pack(flags=LOOP | WRAP_X | WRAP_Z, width=17, height=9), pack(flags=FLOATS | LOOP, width=2, height=1, frames=5),
-             pack(quantity=1, roughness=0), pack(width=1, height=1, frames=1)]
-    if shutil.which("zstd"):
-        packs += [pack(flags=ZSTD), pack(flags=ZSTD | FLOATS | LOOP, width=16, height=16)]
-    packs += [packs[2][:95], packs[2][:8], packs[3] + b"x"]
-    for n, data in enumerate(packs):
-        (folder / f"{n:02}.windpack").write_bytes(data)
+def options(name, crashes):
+    return [f"-max_len={LONGEST.get(name, 4096)}", "-timeout=60", "-rss_limit_mb=2048", "-malloc_limit_mb=1024",
+            "-len_control=0", f"-artifact_prefix={crashes}/{name}-", "-close_fd_mask=1"]
 
 
-def write_damage(folder):
-    """Packs cut at every byte, and with every bit of the header turned."""
-    for kind, good in enumerate([pack(version=1), pack(), pack(flags=FLOATS | LOOP)]):
-        header = 80 if kind == 0 else 96
-        for length in range(len(good)):
-            (folder / f"{kind}-cut-{length:04}").write_bytes(good[:length])
-        for bit in range(8 * header):
-            bad = bytearray(good)
-            bad[bit // 8] ^= 1 << bit % 8
-            (folder / f"{kind}-bit-{bit:04}").write_bytes(bad)
+def dictionary(name):
+    file = HERE / "dictionaries" / f"{name}.dict"
+    return [f"-dict={file}"] if file.exists() else []
 
 
-def fuzz(program, crashes, *options):
-    return subprocess.run([program, "-max_len=4096", "-timeout=10", "-rss_limit_mb=1024", f"-artifact_prefix={crashes}/", *options],
-                          capture_output=True, text=True, errors="replace")
+def fuzz(program, arguments, scratch):
+    # A contract that breaks, and bad input, are told on standard error; a run of minutes says much.
+    with tempfile.TemporaryFile(dir=scratch) as told:
+        done = subprocess.run([program, *arguments], stdout=subprocess.DEVNULL, stderr=told,
+                              env={**os.environ, "TMPDIR": str(scratch), "WINDLOOM_THREADS": "1"})
+        told.seek(max(0, told.seek(0, os.SEEK_END) - (1 << 20)))
+        return done.returncode, told.read().decode(errors="replace")
+
+
+def last(pattern, text):
+    found = re.findall(pattern, text)
+    return int(found[-1]) if found else 0
 
 
 def main():
-    program, seconds, crashes = sys.argv[1], int(sys.argv[2]), pathlib.Path(sys.argv[3])
+    program, seconds, crashes = sys.argv[1], int(sys.argv[2]), pathlib.Path(sys.argv[3]).resolve()
+    name = pathlib.Path(program).name.removesuffix("_fuzz")
     crashes.mkdir(parents=True, exist_ok=True)
-    with tempfile.TemporaryDirectory(prefix="windloom-fuzz-") as name:
-        corpus, damage = pathlib.Path(name, "corpus"), pathlib.Path(name, "damage")
+    memory = "/dev/shm"  # inputs become files, and some code waits for a disk
+    with tempfile.TemporaryDirectory(prefix="windloom-fuzz-", dir=memory if os.access(memory, os.W_OK) else None) as folder:
+        corpus, fixed = pathlib.Path(folder, "corpus"), pathlib.Path(folder, "fixed")
         corpus.mkdir()
-        damage.mkdir()
-        write_corpus(corpus)
-        write_damage(damage)
-        done = fuzz(program, crashes, "-runs=0", damage)
-        if done.returncode == 0:
-            done = fuzz(program, crashes, f"-max_total_time={seconds}", "-print_final_stats=1", corpus)
-    if done.returncode != 0:
-        print("\n".join(done.stderr.splitlines()[-60:]), f"\nThe input is in {crashes}.")
+        fixed.mkdir()
+        getattr(seeds, name)(corpus)
+        for source, target in ((HERE / "corpus" / name, corpus), (HERE / "regressions" / name, fixed)):
+            if source.is_dir():
+                shutil.copytree(source, target, dirs_exist_ok=True)
+        kept, begun = len(list(fixed.iterdir())), len(list(corpus.iterdir()))
+        if hasattr(seeds, name + "_damage"):
+            getattr(seeds, name + "_damage")(fixed)
+        status, told = fuzz(program, [*options(name, crashes), "-runs=0", fixed], folder)
+        if status == 0:
+            status, told = fuzz(program, [*options(name, crashes), *dictionary(name), f"-max_total_time={seconds}",
+                                          "-print_final_stats=1", corpus], folder)
+        size, ran = len(list(corpus.iterdir())), told
+        if status == 0 and len(sys.argv) > 4:
+            keep = pathlib.Path(sys.argv[4], name)
+            keep.mkdir(parents=True, exist_ok=True)
+            status, told = fuzz(program, [*options(name, crashes), "-merge=1", keep, corpus], folder)
+    if status != 0:
+        print("\n".join(told.splitlines()[-70:]), f"\nThe input is in {crashes}.")
         return 1
-    runs = [int(line.split()[-1]) for line in done.stderr.splitlines() if "number_of_executed_units" in line]
-    print(f"{runs[0] if runs else 0} inputs in {seconds} s, nothing broke")
-    # A fuzzer that tried hardly anything shows nothing.
-    return 0 if runs and runs[0] > 50 * seconds else 1
+    runs, edges = last(r"number_of_executed_units: *(\d+)", ran), last(r"cov: (\d+)", ran)
+    memory, slowest = last(r"peak_rss_mb: *(\d+)", ran), last(r"slowest_unit_time_sec: *(\d+)", ran)
+    print(f"{name}: {runs} inputs in {seconds} s, {edges} edges, corpus {size}, {memory} MB, slowest {slowest} s, "
+          f"{kept} regression inputs; nothing broke")
+    # A run that came hardly beyond the inputs it began with shows nothing, however slow the machine is.
+    return 0 if runs > begun + 2 * seconds else 1
 
 
 sys.exit(main())

@@ -23,7 +23,7 @@ DIRECT = {
     "editor/widgets": ["editor/core"],
     "editor/viewport": ["editor/core", "editor/widgets", "engine/session"],
     "editor/panels": ["editor/core", "editor/widgets", "engine/session", "engine/bake"],
-    "editor/app": ["editor/viewport", "editor/panels"],
+    "editor/app": ["editor/viewport", "editor/panels", "engine/cli"],
 }
 # Third-party headers that only some rooms may name.
 RESTRICTED = {

@@ -150,6 +150,16 @@ def check_trouble(app, windloom, folder, project):
     check(app.fact("dirty") == "yes", "a failed save must leave the project dirty")
     check(len(json.loads(project.read_text())["probes"]) == 3, "a failed save must not touch the old file")
 
+    theirs = project.read_text() + "\n"
+    project.write_text(theirs)
+    app.key("ctrl+s")
+    app.wait_fact("dialog", "changed on disk")
+    app.press("dialog/Save under another name")
+    app.wait_fact("dialog", "save as")
+    app.key("Escape")
+    app.wait_fact("dialog", "")
+    check(project.read_text() == theirs, "another program's changes must stay until the user says so")
+
     app.key("ctrl+q")
     app.wait_fact("dialog", "save changes")
     app.press("dialog/Cancel")
@@ -275,6 +285,9 @@ def main():
             check_solver(app, project)
         with editor(windloom_editor, environment, folder, str(project)) as app:
             check_trouble(app, windloom, folder, project)
+        log = (folder / "state" / "windloom" / "log.txt").read_text()
+        check(log.count(" starts") == 5 and "ends with status 0" in log, f"the log must tell of every run: {log}")
+        check("nowhere.wind.json" in log, "and of what went wrong")
     print("drawn, typed, undone, redone, saved and sampled; overlays switched and remembered; broken and unwritable files refused")
 
 

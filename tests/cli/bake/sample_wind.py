@@ -94,6 +94,9 @@ class SampledWind(harness.Case):
     def test_refuses_wrong_usage(self):
         self.assertIn("expected X,Z", self.call("sample", self.project, "--at", "north", "--time", 1, status=2).stderr)
         self.call("sample", self.project, "--at", "1,nan", "--time", 1, status=2)
+        for number in ("nan", "-nan", "inf", "1e999", "0x10"):
+            self.call("sample", self.project, "--at", "1,2", "--time", number, status=2)
+            self.call("bake", self.project, "--out", "never", "--format", "npy", "--fps", number, status=2)
         self.call("sample", self.project, "--at", "1,1", "--time", -1, status=2)
         self.call("sample", self.project, "--at", "1,1", status=2)
 

@@ -12,7 +12,9 @@ namespace {
 
 BakePart partOf(int first, int last) {
   BakePart part{first, last, 0.1f * static_cast<float>(last), {}, {{}}};
-  for (int n = first; n <= last; ++n) part.groups[0].push_back({{"path", std::to_string(n)}, {"frame", n}});
+  for (int n = first; n <= last; ++n) {
+    part.groups[0].push_back({{"path", std::to_string(n)}, {"role", "field"}, {"encoding", "float16"}, {"frame", n}});
+  }
   return part;
 }
 
@@ -66,6 +68,31 @@ TEST(BakeParts, AreReadBackAsTheyWereNoted) {
   EXPECT_EQ(parts[1].seam.seam, 1.25f);
   EXPECT_EQ(parts[1].seam.step, 0.7f);
   EXPECT_EQ(parts[1].groups, part.groups);
+}
+
+TEST(BakeParts, AreMissingWhereTheirNoteNamesFilesElsewhereOrNonsense) {
+  const TemporaryFolder folder;
+  ASSERT_TRUE(writeFileAtomically(folder.path() / "0", "a frame"));
+  const std::string entry = R"({"path": "0", "role": "field", "encoding": "float16", "frame": 0})";
+  const auto partsWith = [&](const std::string& numbers, const std::string& group) {
+    const std::string note = "{" + numbers + R"(, "fastest": 1, "seam": 0, "step": 0, "groups": )" + group + "}";
+    EXPECT_TRUE(writeFileAtomically(folder.path() / "part-0-0.json", note));
+    return readParts(folder.path()).size();
+  };
+  const std::string numbers = R"("first": 0, "last": 0)";
+  EXPECT_EQ(partsWith(numbers, "[[" + entry + "]]"), 1u);
+  for (const char* bad :
+       {R"("first": -1, "last": 0)", R"("first": 0, "last": 1e300)", R"("first": 0, "last": 2147483647)",
+        R"("first": 0.5, "last": 1)", R"("first": 1, "last": 0)", R"("first": "0", "last": 0)"}) {
+    EXPECT_EQ(partsWith(bad, "[[" + entry + "]]"), 0u) << bad;
+  }
+  for (const char* bad : {R"([[{"path": "../0", "role": "field", "encoding": "float16"}]])",
+                          R"([[{"path": "/etc/hostname", "role": "a", "encoding": "b"}]])", R"([[{"path": "0"}]])",
+                          R"([["0"]])", R"([{"path": "0"}])", R"("groups")",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "frame": "first"}]])"}) {
+    EXPECT_EQ(partsWith(numbers, bad), 0u) << bad;
+  }
+  EXPECT_EQ(partsWith(numbers, std::string(100'000, '[')), 0u) << "nested too deep";
 }
 
 TEST(Seam, IsTheStepFromTheLastFrameToTheFirst) {

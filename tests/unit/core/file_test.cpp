@@ -2,9 +2,13 @@
 #include "tests/temporary_folder.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <cstring>
 #include <fstream>
 
 namespace windloom {
@@ -57,6 +61,27 @@ TEST_F(File, RefusesMissingFilesFoldersAndGiants) {
   EXPECT_EQ(readFile(m_folder).error().kind, ErrorKind::BadInput);
   ASSERT_TRUE(writeFileAtomically(m_folder / "x", std::string(100, 'a')));
   EXPECT_NE(readFile(m_folder / "x", 99).error().text().find("limit of 99"), std::string::npos);
+}
+
+TEST_F(File, WaitsForNoPipeAndReadsNoDeviceOrSocket) {
+  ASSERT_EQ(::mkfifo((m_folder / "pipe").c_str(), 0600), 0);
+  EXPECT_NE(readFile(m_folder / "pipe").error().text().find("is a pipe or a device"), std::string::npos);
+  EXPECT_NE(readFile("/dev/zero").error().text().find("is a pipe or a device"), std::string::npos);
+  const int listener = ::socket(AF_UNIX, SOCK_STREAM, 0);
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  std::strncpy(address.sun_path, (m_folder / "socket").c_str(), sizeof address.sun_path - 1);
+  ASSERT_EQ(::bind(listener, reinterpret_cast<const sockaddr*>(&address), sizeof address), 0);
+  EXPECT_NE(readFile(m_folder / "socket").error().text().find("is a socket"), std::string::npos);
+  ::close(listener);
+}
+
+TEST_F(File, RefusesASparseGiantBeforeReadingIt) {
+  ASSERT_TRUE(writeFileAtomically(m_folder / "x", ""));
+  fs::resize_file(m_folder / "x", 1ull << 40);
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_NE(readFile(m_folder / "x").error().text().find("limit of 268435456"), std::string::npos);
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(1));
 }
 
 }  // namespace windloom

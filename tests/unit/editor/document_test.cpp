@@ -274,6 +274,52 @@ TEST(DocumentFlow, NewTakesATemplate) {
   EXPECT_EQ(f.document.project().name, "Untitled");
 }
 
+TEST(DocumentFlow, AsksBeforeItReplacesAFileThatAnotherProgramChanged) {
+  TempFolder folder;
+  Flow f;
+  const auto path = folder / "a.wind.json";
+  f.edit();
+  ASSERT_TRUE(f.document.saveAs(path));
+  EXPECT_FALSE(f.document.changedOnDisk());
+  const Result<std::string> saved = readFile(path);
+  ASSERT_TRUE(saved);
+  const std::string theirs = *saved + "\n";
+  writeText(path, theirs);
+  EXPECT_TRUE(f.document.changedOnDisk());
+  f.edit();
+  f.flow.requestSave();
+  EXPECT_EQ(f.flow.prompt(), Prompt::ConfirmChanged);
+  f.flow.answerChanged(ChangedAnswer::Cancel);
+  EXPECT_EQ(f.flow.prompt(), Prompt::None);
+  EXPECT_EQ(readFile(path).value(), theirs);
+  EXPECT_TRUE(f.document.dirty());
+  f.flow.requestQuit();  // on the way out as well
+  f.flow.answerSaveChanges(SaveAnswer::Save);
+  EXPECT_EQ(f.flow.prompt(), Prompt::ConfirmChanged);
+  f.flow.answerChanged(ChangedAnswer::AnotherName);
+  EXPECT_EQ(f.flow.prompt(), Prompt::ChooseSavePath);
+  f.flow.answerPath(path);  // the same name after all
+  EXPECT_EQ(f.flow.prompt(), Prompt::ConfirmChanged);
+  f.flow.answerChanged(ChangedAnswer::Replace);
+  EXPECT_FALSE(f.document.dirty());
+  EXPECT_TRUE(f.flow.quitConfirmed());
+  EXPECT_EQ(readFile(folder / "a.wind.json.bak").value(), theirs);
+  EXPECT_FALSE(f.document.changedOnDisk());
+}
+
+TEST(DocumentFlow, AFileThatIsGoneIsWrittenAgainWithoutAQuestion) {
+  TempFolder folder;
+  Flow f;
+  f.edit();
+  ASSERT_TRUE(f.document.saveAs(folder / "a.wind.json"));
+  std::filesystem::remove(folder / "a.wind.json");
+  EXPECT_FALSE(f.document.changedOnDisk());
+  f.edit();
+  f.flow.requestSave();
+  EXPECT_EQ(f.flow.prompt(), Prompt::None);
+  EXPECT_TRUE(std::filesystem::exists(folder / "a.wind.json"));
+}
+
 TEST(DocumentFlow, SaveAsAsksBeforeItOverwrites) {
   TempFolder folder;
   Flow f;

@@ -195,6 +195,34 @@ TEST(Autosave, ARunningEditorsFileIsNoRescueACrashedOnesIs) {
   EXPECT_TRUE(findRescues(folder / "side").empty());
 }
 
+TEST(Autosave, FindsAFileLaterWhereItsFolderCouldNotBeMadeAtFirst) {
+  TempFolder folder;
+  std::ofstream(folder / "side") << "a file is in the way";
+  Autosave autosave(folder / "side", "1");
+  Document document;
+  ASSERT_TRUE(autosave.tick(document, 0));
+  editFrames(autosave, document, int(kAutosaveEdits) - 1, 1);
+  EXPECT_TRUE(autosave.sideFile().empty());
+  std::filesystem::remove(folder / "side");
+  editFrames(autosave, document, int(kAutosaveEdits), 2);
+  static_cast<void>(autosave.wait());
+  ASSERT_FALSE(autosave.sideFile().empty());
+  EXPECT_TRUE(std::filesystem::exists(autosave.sideFile()));
+}
+
+TEST(Autosave, ClearsLocksThatKilledEditorsLeftAndNoRescue) {
+  TempFolder folder;
+  std::filesystem::create_directories(folder / "side");
+  for (const char* name : {"7.rescue.json.lock", "8.rescue.json.lock", "8.rescue.json"}) {
+    std::ofstream(folder / "side" / name) << "";
+  }
+  const Autosave autosave(folder / "side", "1");
+  EXPECT_FALSE(std::filesystem::exists(folder / "side" / "7.rescue.json.lock"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "side" / "8.rescue.json.lock"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "side" / "8.rescue.json"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "side" / "1.rescue.json.lock"));
+}
+
 TEST(Autosave, RescuedWorkIsNeverWithoutAFile) {
   TempFolder folder;
   Document document;

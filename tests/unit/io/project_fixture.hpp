@@ -54,8 +54,7 @@ inline std::string brokenFile(const std::string& name) {
 /// The pointers of the problems, sorted; empty where the text is a valid project.
 inline std::vector<std::string> problemPointers(const Result<LoadedProject>& loaded) {
   std::vector<std::string> pointers;
-  if (loaded) return pointers;
-  for (const Problem& problem : loaded.error().problems) pointers.push_back(problem.pointer);
+  for (const Problem& problem : loaded ? loaded->missing : loaded.error().problems) pointers.push_back(problem.pointer);
   std::ranges::sort(pointers);
   return pointers;
 }

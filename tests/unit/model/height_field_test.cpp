@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "engine/model/asset_names.hpp"
 #include "engine/model/edit.hpp"
 #include "engine/model/validate.hpp"
 #include "tests/height_fixture.hpp"
@@ -138,10 +139,19 @@ TEST(HeightField, FollowsEditsOfItsPlaceWithoutAnotherCopy) {
             nullptr);
 }
 
-TEST(TerrainFile, MayNotLeaveTheProjectsFolder) {
-  for (const char* good : {"", "hills.png", "terrain/a b.glb", "a/b/..c.png"})
-    EXPECT_EQ(assetFileProblem(good), "") << good;
-  for (const char* bad : {"/etc/hills.png", "../hills.png", "a/../../b.png", "a\\b.png", "a//b.png", "./a.png", "a/"}) {
+TEST(TerrainFile, KnowsNamesThatLeaveTheProjectsFolder) {
+  for (const char* inside : {"", "hills.png", "terrain/a b.glb", "a/b/..c.png"}) {
+    EXPECT_EQ(assetFileProblem(inside), "") << inside;
+    EXPECT_EQ(outsideReason(inside), "") << inside;
+  }
+  for (const char* outside : {"/etc/hills.png", "../hills.png", "a/../../b.png", "a/.."}) {
+    EXPECT_EQ(assetFileProblem(outside), "") << outside;
+    EXPECT_NE(outsideReason(outside), "") << outside;
+  }
+}
+
+TEST(TerrainFile, IsAPath) {
+  for (const char* bad : {"a\\b.png", "a//b.png", "./a.png", "a/", "/", "//a.png"}) {
     EXPECT_NE(assetFileProblem(bad), "") << bad;
     Project project;
     TerrainSettings terrain;

@@ -233,18 +233,18 @@ TEST(Validate, SpeciesAndCollidersNeedTheFilesOfTheirMeshes) {
   EXPECT_EQ(pointers(), (Pointers{"/species/0/file", "/colliders/0/file"}));
   tuft.file = stone.file = "assets/thing.glb";
   EXPECT_EQ(pointers(), Pointers{});
-  tuft.file = "../thing.glb";
-  stone.file = "/thing.glb";
+  tuft.file = "a//thing.glb";
+  stone.file = "a\\thing.glb";
   EXPECT_EQ(pointers(), (Pointers{"/species/0/file", "/colliders/0/file"}));
   tuft.shape = PlantShape::Daisy;
   stone.shape = ColliderShape::Sphere;
   EXPECT_EQ(pointers(), (Pointers{"/species/0/file", "/colliders/0/file"})) << "kept for when the shape comes back";
 }
 
-TEST(Validate, RefusesMapsOutsideTheProjectsFolder) {
+TEST(Validate, RefusesMapsThatAreNoPaths) {
   Project project;
   project.grass = changed(project.grass, [](GrassSettings& g) {
-    g.densityMap = "../mask.png";
+    g.densityMap = "./mask.png";
     g.heightMap = "assets/height.png";
     g.colourMap = "a\\b.png";
   });
@@ -321,8 +321,8 @@ TEST(Validate, SurfacesNeedTheFilesOfTheirMeshes) {
   EXPECT_EQ(pointers(SurfaceShape::Hare, ""), Pointers{});
   EXPECT_EQ(pointers(SurfaceShape::Mesh, ""), Pointers{"/surfaces/0/file"});
   EXPECT_EQ(pointers(SurfaceShape::Mesh, "assets/rock.glb"), Pointers{});
-  EXPECT_EQ(pointers(SurfaceShape::Mesh, "../rock.glb"), Pointers{"/surfaces/0/file"});
-  EXPECT_EQ(pointers(SurfaceShape::Hare, "/rock.glb"), Pointers{"/surfaces/0/file"}) << "kept for the mesh";
+  EXPECT_EQ(pointers(SurfaceShape::Mesh, "a//rock.glb"), Pointers{"/surfaces/0/file"});
+  EXPECT_EQ(pointers(SurfaceShape::Hare, "./rock.glb"), Pointers{"/surfaces/0/file"}) << "kept for the mesh";
 }
 
 TEST(Validate, RefusesValuesOutOfRangeInSurfacesAndRotors) {
@@ -341,14 +341,36 @@ TEST(Validate, RefusesValuesOutOfRangeInSurfacesAndRotors) {
             (Pointers{"/surfaces/0/size", "/surfaces/0/density", "/rotors/0/lift", "/rotors/0/rings"}));
 }
 
-TEST(Validate, RefusesShellsOutOfRangeAndPicturesOutsideTheProjectsFolder) {
+TEST(Validate, AChangeBringsNoNewFilesOutsideTheProjectsFolder) {
+  Project old;
+  Species tuft;
+  tuft.id = 1;
+  tuft.shape = PlantShape::Mesh;
+  tuft.file = "../library/tuft.glb";
+  old.species = std::make_shared<std::vector<Species>>(1, tuft);
+  EXPECT_EQ(pointersOf(old), Pointers{}) << "a file may name them, which doesn't yet read them";
+  const auto pointers = [&](const Project& project) {
+    Pointers found;
+    for (const Problem& problem : validateChange(project, old)) found.push_back(problem.pointer);
+    return found;
+  };
+  Project changed = old;
+  tuft.name = "Tuft";
+  changed.species = std::make_shared<std::vector<Species>>(1, tuft);
+  EXPECT_EQ(pointers(changed), Pointers{}) << "what is there may stay";
+  tuft.file = "/etc/tuft.glb";
+  changed.species = std::make_shared<std::vector<Species>>(1, tuft);
+  EXPECT_EQ(pointers(changed), Pointers{"/species/0/file"});
+}
+
+TEST(Validate, RefusesShellsOutOfRangeAndPicturesThatAreNoPaths) {
   const auto pointers = [](auto&& change) {
     Project project;
     project.shell = changed(project.shell, change);
     return pointersOf(project);
   };
   EXPECT_EQ(pointers([](ShellSettings& s) { s.texture = "assets/blades.png"; }), Pointers{});
-  EXPECT_EQ(pointers([](ShellSettings& s) { s.texture = "../blades.png"; }), Pointers{"/shell/texture/file"});
+  EXPECT_EQ(pointers([](ShellSettings& s) { s.texture = "a//blades.png"; }), Pointers{"/shell/texture/file"});
   EXPECT_EQ(
       pointers([](ShellSettings& s) {
         s.shells = 0;

@@ -1,0 +1,129 @@
+#include "engine/bake/publish.hpp"
+
+#include <algorithm>
+#include <system_error>
+
+#include "engine/bake/bake_parts.hpp"
+#include "engine/bake/manifest.hpp"
+#include "engine/bake/work_folder.hpp"
+#include "engine/core/atomic_file.hpp"
+#include "engine/core/log.hpp"
+#include "engine/io/sha256.hpp"
+
+namespace windloom {
+namespace fs = std::filesystem;
+namespace {
+
+constexpr const char* kManifest = "manifest.json";
+constexpr const char* kFromParts = "from-parts";  // tells that the frames come from the folder of the parts
+
+/// Where files of the older bake wait.
+fs::path olderIn(const fs::path& work) {
+  return work / "older";
+}
+
+Status move(const fs::path& from, const fs::path& to, const fs::path& about) {
+  std::error_code ec;
+  fs::rename(from, to, ec);
+  if (!ec) return Done{};
+  return makeError(ErrorKind::Machine, about.string(), {}, "can't write: " + ec.message());
+}
+
+Status moveAside(const fs::path& folder, const fs::path& work, const std::string& name) {
+  std::error_code ec;
+  if (!fs::exists(fs::symlink_status(folder / name, ec))) return Done{};
+  return move(folder / name, olderIn(work) / name, folder / name);
+}
+
+bool hasSum(const fs::path& file, const std::string& sum) {
+  const Result<std::string> found = sha256OfFile(file);
+  return found && *found == sum;
+}
+
+/// Everything but the new manifest's own move.
+Status moveFiles(const Publication& p, const std::vector<ListedFile>& older) {
+  if (Status made = makeFolder(olderIn(p.work)); !made) return made;
+  if (p.frames != p.work) {
+    if (Status noted = writeFileUnsynced(p.work / kFromParts, {}); !noted) return noted;
+  }
+  if (Status moved = moveAside(p.folder, p.work, kManifest); !moved) return moved;
+  // From here on it is no bake, after a loss of power as well.
+  for (const fs::path& place : {olderIn(p.work), p.folder}) {
+    if (Status synced = syncFolder(place); !synced) return synced;
+  }
+  for (std::size_t i = 0; i < p.files.size(); ++i) {
+    const std::string& name = p.files[i];
+    if (Status moved = moveAside(p.folder, p.work, name); !moved) return moved;
+    const fs::path& from = i < p.frameFiles ? p.frames : p.work;
+    if (Status moved = move(from / name, p.folder / name, p.folder / name); !moved) return moved;
+  }
+  for (const ListedFile& file : older) {
+    if (std::ranges::find(p.files, file.path) != p.files.end()) continue;
+    // What was changed since is somebody's work.
+    if (!hasSum(p.folder / file.path, file.sha256)) continue;
+    if (Status moved = moveAside(p.folder, p.work, file.path); !moved) return moved;
+  }
+  return syncFolder(p.folder);
+}
+
+/// Undoes what moveFiles() did so far. It looks at what lies where, so that it serves after a kill as well, and after
+/// one of its own.
+void takeBack(const fs::path& folder, const fs::path& work) {
+  std::error_code ec;
+  const fs::path older = olderIn(work);
+  // Without its manifest it was published; without a place for older files nothing was moved.
+  if (!fs::exists(work / kManifest, ec) || !fs::exists(older, ec)) return;
+  const Result<std::vector<ListedFile>> files = filesOfManifest(work);
+  if (!files) return;
+  const fs::path frames = fs::exists(work / kFromParts, ec) ? partsFolder(folder, planOfManifest(work)) : work;
+  for (const ListedFile& file : *files) {
+    const bool moved = !fs::exists(work / file.path, ec) && !fs::exists(frames / file.path, ec);
+    if (moved && hasSum(folder / file.path, file.sha256)) fs::rename(folder / file.path, frames / file.path, ec);
+  }
+  std::vector<fs::path> names;
+  for (const fs::directory_entry& entry : fs::directory_iterator(older, ec)) names.push_back(entry.path().filename());
+  // The manifest comes last here, too.
+  std::ranges::stable_partition(names, [](const fs::path& name) { return name != kManifest; });
+  for (const fs::path& name : names) {
+    fs::rename(older / name, folder / name, ec);
+    if (ec) return;  // no manifest over what isn't whole
+  }
+}
+
+}  // namespace
+
+Result<std::uint64_t> publish(const Publication& p) {
+  const Result<std::vector<ListedFile>> older = filesOfManifest(p.folder);
+  if (!older) return older.error();
+  std::error_code ec;
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < p.files.size(); ++i) {
+    const fs::path target = p.folder / p.files[i];
+    if (fs::is_directory(target, ec))
+      return makeError(ErrorKind::Machine, target.string(), {}, "can't write: a folder is in the way");
+    bytes += fs::file_size((i < p.frameFiles ? p.frames : p.work) / p.files[i], ec);
+  }
+  bytes += fs::file_size(p.work / kManifest, ec);
+  Status done = moveFiles(p, *older);
+  if (done) done = move(p.work / kManifest, p.folder / kManifest, p.folder / kManifest);
+  if (!done) {
+    takeBack(p.folder, p.work);
+    return done.error();
+  }
+  if (const Status synced = syncFolder(p.folder); !synced) logWarning(synced.error().text());
+  return bytes;
+}
+
+void clearLeftBakes(const fs::path& folder) {
+  const Result<FolderLock> lock = FolderLock::take(folder, [] { return false; });
+  if (!lock || !lock->held()) return;
+  for (const WorkFolder& left : leftWorkFolders(folder)) {
+    takeBack(folder, left.path());
+    logInfo(folder.string() + ": cleared up after a bake that was killed");
+  }
+  const std::string plan = planOfManifest(folder);
+  std::error_code ignored;
+  if (!plan.empty()) fs::remove_all(partsFolder(folder, plan), ignored);
+}
+
+}  // namespace windloom

@@ -1,0 +1,197 @@
+"""Does with the real editor and the sample game what docs/tutorial.md tells, and takes its pictures: from the sample that
+`./run` opens over an empty field to wind in a game.
+
+usage: tutorial.py WINDLOOM_EDITOR WINDLOOM WINDLOOM_LEAVES [PICTURE_FOLDER]
+Without a folder the pictures go nowhere: the test that the tutorial can be followed.
+"""
+import json
+import math
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+
+from editor_driver import check, display, editor, run
+
+SIZE = "1280x720"
+
+
+class Hands:
+    def __init__(self, app, pictures):
+        self.app = app
+        self.pictures = pictures
+
+    def picture(self, name, rest=0):
+        """After two frames more, so that what was just done is on the screen, and after `rest` s."""
+        time.sleep(rest)
+        frame = int(self.app.fact("frame"))
+        self.app.wait("the next frames", lambda: int(self.app.fact("frame")) > frame + 2)
+        file = self.pictures / f"tutorial-{name}.png"
+        self.app.picture(file)
+        check(file.stat().st_size > 20000, f"{file.name} shows nothing")
+
+    def at(self, x, z):
+        """Pixel of a place on the ground in the view from above on the field's middle."""
+        length, _, _, pixels, _ = self.app.fact("scale").split()
+        middle = self.app.centre("viewport")
+        scale = float(pixels) / float(length)
+        return middle[0] + x * scale, middle[1] + z * scale
+
+    def type_into(self, control, text):
+        self.app.press(control)
+        self.app.wait_fact("typing", "yes")
+        self.app.key("ctrl+a")
+        self.app.type(text)
+        self.app.key("Return")
+        self.app.wait_fact("typing", "no")
+
+    def choose(self, control, choice):
+        self.app.press(control)
+        self.app.press(f"{control}/{choice}")
+
+    def play_until(self, seconds):
+        self.app.wait(f"{seconds} s of wind", lambda: float(self.app.fact("time") or 0) >= seconds, 90)
+
+
+def draw_tree(hands):
+    app = hands.app
+    app.key("d")
+    app.wait_fact("tool", "draw")
+    places = [((-36, 12), (-8, 2)), ((-8, 2), (24, -13)), ((-8, 2), (22, 16))]
+    for number, (start, end) in enumerate(places, 1):
+        app.drag(hands.at(*start), hands.at(*end))
+        app.wait_fact("steps", str(number))
+    app.key("Escape")
+    hands.picture("tree")
+    return places
+
+
+def give_a_pulse(hands):
+    app = hands.app
+    app.key("q")
+    app.click(hands.at(-36, 12))
+    app.wait("the root to be selected", lambda: app.fact("selection").startswith("Point"))
+    hands.choose("inspector/signal/kind", "pulse")
+    app.key("ctrl+l")  # the whole tree
+    app.wait("the tree to be selected", lambda: "3 arrows" in app.fact("selection"))
+    hands.type_into("inspector/arrow/strength", "12")
+    hands.picture("signal")
+    app.click(hands.at(-10, -30))
+    app.wait_fact("selection", "")
+
+
+def command(hands, name):
+    """By a part of its name."""
+    hands.app.key("F3")
+    hands.app.wait_fact("palette", "yes")
+    hands.app.type(name)
+    hands.app.key("Return")
+    hands.app.wait_fact("palette", "no")
+
+
+def watch(hands):
+    app = hands.app
+    app.key("KP_End")  # the front view, then nearer and a little from above
+    app.wait("the front view", lambda: app.fact("view") != "top")
+    app.key("KP_Begin")
+    x, y = app.centre("viewport")
+    app.point_at((x, y))
+    app.xdotool("mousedown", 2)
+    for step in range(1, 9):
+        app.move((x + 9 * step, y + 6 * step))
+    app.xdotool("mouseup", 2)
+    for _ in range(5):
+        app.xdotool("click", 4)
+    hands.play_until(8)
+    app.key("space")
+    app.wait_fact("playing", "no")
+    command(hands, "full quality")
+    hands.picture("meadow")
+    app.key("6")
+    hands.picture("streamlines")
+    app.key("6", "9")
+    hands.picture("lic")
+    app.key("9")
+    command(hands, "full quality")
+    app.key("space")
+    app.wait_fact("playing", "yes")
+
+
+def export(hands, folder):
+    hands.app.key("ctrl+shift+e")
+    hands.app.press("export/start")
+    hands.app.wait("the export's end", lambda: (folder / "first-wind" / "manifest.json").exists(), 240)
+    hands.picture("export", rest=1)
+
+
+def check_result(windloom, folder, places):
+    project = folder / "first.wind.json"
+    graph = json.loads(project.read_text())["graph"]
+    check(len(graph["arrows"]) == len(places), f"{len(graph['arrows'])} arrows were saved")
+    check(all(arrow["strength"] == 12 for arrow in graph["arrows"]), "every arrow's strength was set to 12")
+    check(graph["signals"][0]["kind"] == "pulse", "the root plays a pulse")
+    told = subprocess.run([windloom, "sample", str(project), "--at", "20,-11", "--time", "7", "--backend", "cpu", "--json"],
+                          capture_output=True, text=True, check=True)
+    velocity = json.loads(told.stdout)["samples"][0]["velocity"]
+    check(math.hypot(*velocity) > 1, f"the pulse must have reached the tips: {velocity}")
+    check((folder / "first-wind" / "wind.windpack").exists(), "the export holds a pack")
+
+
+def play(windloom_leaves, environment, folder, pictures):
+    """The sample game with the wind that was exported; its picture."""
+    file = pictures / "tutorial-game.png"
+    subprocess.run([windloom_leaves, str(folder / "first-wind" / "wind.windpack"), "--frames", "90", "--screenshot", str(file),
+                    "--size", "960x480"], env=environment, check=True)
+    check(file.stat().st_size > 20000, "the game shows nothing")
+
+
+def start_anew(hands):
+    """From the sample to an empty field, seen from above."""
+    app = hands.app
+    app.wait_fact("scene", "yes")
+    app.key("ctrl+n")
+    app.wait("an empty project", lambda: "meadow" not in app.fact("title").lower())
+    app.key("KP_Home")
+    app.wait_fact("view", "top")
+    hands.picture("empty")
+
+
+def save(hands, folder):
+    hands.app.key("ctrl+s")
+    hands.app.wait_fact("dialog", "save as")
+    hands.app.choose_path("first.wind.json")  # in the folder that the dialog begins with
+    hands.app.wait_fact("dirty", "no")
+    check((folder / "first.wind.json").exists(), "the dialog begins in the sample's folder")
+
+
+def follow(programs, sample, pictures):
+    with tempfile.TemporaryDirectory(prefix="windloom-tutorial-") as name, display(SIZE) as environment:
+        folder = pathlib.Path(name) / "projects/meadow"
+        folder.mkdir(parents=True)
+        shutil.copy(sample, folder)
+        with editor(programs[0], environment, pathlib.Path(name), str(folder / "meadow.wind.json"), size=SIZE) as app:
+            hands = Hands(app, pictures)
+            start_anew(hands)
+            places = draw_tree(hands)
+            give_a_pulse(hands)
+            watch(hands)
+            save(hands, folder)
+            export(hands, folder)
+            app.key("ctrl+q")
+            check(app.wait_end() == 0, "a saved project closes without a question")
+        check_result(programs[1], folder, places)
+        play(programs[2], environment, folder, pictures)
+
+
+def main():
+    programs = sys.argv[1:4]
+    sample = pathlib.Path(__file__).resolve().parents[2] / "projects/meadow/meadow.wind.json"
+    with tempfile.TemporaryDirectory(prefix="windloom-tutorial-") as nowhere:
+        follow(programs, sample, pathlib.Path(sys.argv[4] if len(sys.argv) > 4 else nowhere))
+    print("the tutorial can be followed")
+
+
+if __name__ == "__main__":
+    run(main)
