@@ -19,6 +19,12 @@ if(WINDLOOM_SANITIZE)
     "WINDLOOM_TEST_PATIENCE=${WINDLOOM_TEST_PATIENCE}")
 endif()
 
+# Tests' own code is built without the checks for undefined behaviour: GoogleTest's macros would take most of the time.
+add_library(windloom_test_options INTERFACE)
+if(WINDLOOM_SANITIZE MATCHES "undefined")
+  target_compile_options(windloom_test_options INTERFACE -fno-sanitize=undefined)
+endif()
+
 # What every entry has: labels, and as much time as it may take here.
 function(windloom_test_properties name labels timeout)
   if(NOT timeout)
@@ -32,7 +38,7 @@ endfunction()
 function(windloom_test name)
   cmake_parse_arguments(ARG "" "TIMEOUT;FILTER" "SOURCES;DEPENDS;LABELS" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
-  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest GTest::gtest_main windloom_warnings)
+  target_link_libraries(${name} PRIVATE ${ARG_DEPENDS} GTest::gtest GTest::gtest_main windloom_warnings windloom_test_options)
   target_compile_definitions(${name} PRIVATE WINDLOOM_TEST_DATA="${CMAKE_SOURCE_DIR}/tests/data"
     WINDLOOM_PROJECTS="${CMAKE_SOURCE_DIR}/projects")
   if("unit" IN_LIST ARG_LABELS)

@@ -32,6 +32,7 @@ def dump(folder, windloom, projects, programs):
     meadow = str(projects / "canyon" / "canyon.wind.json")
     for solver in ("default", "cwd-sim"):
         runs.append([windloom, "render", meadow, "--solver", solver, "--overlay", "arrows", *small])
+    runs.append([windloom, "bench", "floor", "--quick", "--backend", "gpu"])
     for run in runs:
         done = subprocess.run(run, env=environment, capture_output=True, text=True)
         if done.returncode != 0:

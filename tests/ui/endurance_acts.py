@@ -331,6 +331,8 @@ def drop_dialogs(hands, patience_s=60):
     """Closes what is open: typing, menus, dialogs. Whether that went."""
     end = time.monotonic() + patience_s
     hands.app.xdotool("mouseup", 1, "mouseup", 2, "mouseup", 3)
+    hands.app.key("Escape", "Escape")  # lists and menus, of which no fact tells
+    hands.frames(3)
     while time.monotonic() < end:
         facts = hands.map()[0]
         if facts.get("dialog", "") == "" and facts.get("typing") == "no" and facts.get("help") == "no":
