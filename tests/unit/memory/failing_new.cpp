@@ -136,7 +136,10 @@ long failEach(const std::function<void()>& work, const std::function<void()>& af
     const bool failed = stopFailing();
     EXPECT_EQ(alive(), before) << "after wish " << n << " failed";
     after();
-    if (!failed || ::testing::Test::HasFailure()) return runs;
+    if (!failed || ::testing::Test::HasFailure()) {
+      ::testing::Test::RecordProperty("runs", static_cast<int>(runs));
+      return runs;
+    }
     ++runs;
   }
 }
