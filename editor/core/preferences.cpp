@@ -126,9 +126,9 @@ Preferences readPreferences(const fs::path& path, std::vector<std::string>* warn
   const Result<ordered_json> parsed = bytes ? parseJsonDocument(*bytes, path.string()) : bytes.error();
   const ordered_json json = parsed ? *parsed : ordered_json();
   Reader reader(json, warnings);
-  if (!parsed) reader.warn(parsed.error().text());
+  if (!parsed) reader.warn(parsed.error().text() + "; the defaults are used");
   if (!json.is_object()) {
-    if (bytes) reader.warn(path.string() + " is not a JSON object, the defaults are used");
+    if (parsed) reader.warn(path.string() + " is not a JSON object, the defaults are used");
     return preferences;
   }
   reader.read("theme", "\"dark\" or \"light\"", [&](const auto& v) { return takeTheme(v, preferences.theme); });

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "engine/core/log.hpp"
+#include "engine/core/out_of_memory.hpp"
 
 namespace windloom {
 namespace fs = std::filesystem;
@@ -203,7 +204,8 @@ Status AtomicFile::finish(Sync sync, Backup backup) {
   int code = sync == Sync::Now && uninterrupted([&] { return ::fsync(m_descriptor); }) != 0 ? errno : 0;
   if (::close(std::exchange(m_descriptor, -1)) != 0 && code == 0 && errno != EINTR) code = errno;
   if (code == 0 && backup == Backup::KeepOne && ::access(m_target.c_str(), F_OK) == 0) {
-    if (const Status kept = keepBackup(m_target); !kept)
+    // Thrown past the rest, the temporary file would stay.
+    if (const Status kept = orOutOfMemory("the older file's name", [&] { return keepBackup(m_target); }); !kept)
       logWarning(kept.error().text() + "; the older file is not kept");
   }
   if (code == 0 && uninterrupted([&] { return ::rename(m_temporary.c_str(), m_target.c_str()); }) != 0) code = errno;

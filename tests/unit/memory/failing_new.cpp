@@ -124,6 +124,7 @@ long alive() {
 long failEach(const std::function<void()>& work, const std::function<void()>& after, long stride,
               std::size_t leastBytes) {
   work();  // what is made once for the program, such as tables
+  after();
   long runs = 0;
   for (long n = 0;; n += stride) {
     const long before = alive();
