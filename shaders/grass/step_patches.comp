@@ -78,12 +78,18 @@ ContactChain chainOf(BladeRoot own, BladePose pose, float height, vec2 turned[CH
   return chain;
 }
 
+// The next primitive from n on that a blade of this reach can touch, or primitiveCount. Looking for it before the work is
+// done, not leaving the work out where it isn't needed, lets processors that step through blades together skip it as well.
+int nextNear(int n, vec3 root, float reach) {
+  while (n < primitiveCount && colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) ++n;
+  return n;
+}
+
 // Bends the blade out of everything; false: its root is inside, or there is no way out.
 bool touched(inout ContactChain chain, vec3 root, vec3 normal, float reach) {
   for (int pass = 0; pass < CONTACT_PASSES; ++pass) {
     bool clear = true;
-    for (int n = 0; n < primitiveCount; ++n) {
-      if (colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) continue;
+    for (int n = nextNear(0, root, reach); n < primitiveCount; n = nextNear(n + 1, root, reach)) {
       ColliderPrimitive primitive = seenFrom(primitives[n], root, normal);
       if (rootInside(primitive)) return false;
       if (chainDistance(chain, primitive) >= 0.97 * CONTACT_MARGIN) continue;
@@ -92,24 +98,16 @@ bool touched(inout ContactChain chain, vec3 root, vec3 normal, float reach) {
     }
     if (clear) return true;
   }
-  for (int n = 0; n < primitiveCount; ++n) {
-    if (colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) continue;
+  for (int n = nextNear(0, root, reach); n < primitiveCount; n = nextNear(n + 1, root, reach)) {
     if (chainDistance(chain, seenFrom(primitives[n], root, normal)) < 0.9 * CONTACT_MARGIN) return false;
   }
   return true;
 }
 
-bool anythingNear(vec3 root, float reach) {
-  for (int n = 0; n < primitiveCount; ++n) {
-    if (colliderDistance(primitives[n], root) <= reach + 2.0 * CONTACT_MARGIN) return true;
-  }
-  return false;
-}
-
 // Bends a blade out of what touches it; false: it is hidden.
 bool bentOutOfAll(BladeRoot own, inout vec4 joints[CHAIN_SEGMENTS]) {
   vec3 root = vec3(own.root.x, groundHeight(own.root), own.root.y);
-  if (!anythingNear(root, own.height * 1.25 * max(mapHeight(own.root), 1.0))) return true;
+  if (nextNear(0, root, own.height * 1.25 * max(mapHeight(own.root), 1.0)) == primitiveCount) return true;
   float height = standingHeight(own);
   BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
   ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));

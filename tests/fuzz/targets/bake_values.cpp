@@ -11,7 +11,7 @@ void tryBakeValues(const std::vector<std::string>& texts) {
   static const Project kProject;
   for (const std::string& text : texts) {
     if (const auto size = cli::parseResolution(text))
-      require(size->x >= 1 && size->y >= 1 && size->x <= cli::kMaxSide && size->y <= cli::kMaxSide,
+      require(size->x >= 1 && size->y >= 1 && size->x <= cli::kMaxBakeSide && size->y <= cli::kMaxBakeSide,
               "cells within their limit");
     if (const auto part = cli::parsePart(text))
       require(part->first >= 0 && part->first <= part->second && part->second < kMaxBakeFrames, "a range of frames");
