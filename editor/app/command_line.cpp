@@ -69,7 +69,7 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
   app.add_option("--ui-map", uiMap,
                  "Keep FILE up to date with the names and places of controls (window tests, accessibility)");
   app.set_version_flag("--version", "windloom-editor " WINDLOOM_VERSION);
-  app.add_option("--docs", docs, "Write the manual page and shell completions into this folder, and end")->group("");
+  app.add_option("--docs", docs, "Write the manual page and shell completions into this folder, and end");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -71,6 +71,9 @@ Status moveFiles(const Publication& p, const std::vector<ListedFile>& older) {
 void takeBack(const fs::path& folder, const fs::path& work) {
   std::error_code ec;
   const fs::path older = olderIn(work);
+  // A whole bake stands there: nothing was moved, or all was taken back already, by one that was killed before it could
+  // clear up all of `work`.
+  if (fs::exists(folder / kManifest, ec)) return;
   // Without its manifest it was published; without a place for older files nothing was moved.
   if (!fs::exists(work / kManifest, ec) || !fs::exists(older, ec)) return;
   const Result<std::vector<ListedFile>> files = filesOfManifest(work);

@@ -39,6 +39,8 @@ constexpr ManEntry kEnvironment[] = {
      "Number of the EGL device that pictures without a window are made with; the first that works "
      "where it is not set."},
     {"WINDLOOM_GL_DEBUG", "1: OpenGL's driver is asked for messages, and an error of it ends the program."},
+    {"WINDLOOM_GL_POISON", "1: fresh textures hold values that show where one is read before it was written."},
+    {"WINDLOOM_SHADER_DUMP", "Folder that the texts of all shaders are written to as the driver gets them."},
 };
 constexpr ManEntry kEditorEnvironment[] = {
     {"WINDLOOM_DATA",

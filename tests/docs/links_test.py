@@ -76,7 +76,7 @@ def index_problems(tree):
     linked = {tree.target(tree.pages[INDEX], link)[0] for _, _, link in markdown.links(tree.pages[INDEX]) if ":" not in link}
     found = []
     for file in sorted(tree.files):
-        if not file.startswith("docs/") or file == INDEX or file.startswith(("docs/images/", "docs/pictures/", "docs/reliability_parts/")):
+        if not file.startswith("docs/") or file == INDEX or file.startswith(("docs/images/", "docs/pictures/")):
             continue
         readme = f"docs/examples/{file.split('/')[2]}/README.md" if file.startswith("docs/examples/") and file.count("/") > 2 else ""
         if file not in linked and readme not in linked and file != "docs/examples/README.md":

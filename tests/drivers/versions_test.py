@@ -11,6 +11,9 @@ import subprocess
 import sys
 import tempfile
 
+sys.path.append(str(pathlib.Path(__file__).parents[1] / "ui"))
+from editor_driver import display
+
 # Each with what the program does without it.
 OPTIONAL = {
     "GL_EXT_texture_filter_anisotropic": "textures are sampled without it",
@@ -75,9 +78,11 @@ def main():
         home = dict(XDG_CONFIG_HOME=f"{folder}/c", XDG_STATE_HOME=f"{folder}/s")
         if len(sys.argv) > 3:
             expect("no display", [sys.argv[3], project], 3, "No display", DISPLAY=None, WAYLAND_DISPLAY=None, **home)
-            shot = ["xvfb-run", "-a", sys.argv[3], project, "--screenshot", f"{folder}/b.png", "--frames", "3"]
-            expect("editor on 4.4", shot, 3, "OpenGL 4.5", "Found", MESA_GL_VERSION_OVERRIDE="4.4", WAYLAND_DISPLAY=None, **home)
-            expect("editor on 4.5", shot, 0, MESA_GL_VERSION_OVERRIDE="4.5", MESA_EXTENSION_OVERRIDE=without, WAYLAND_DISPLAY=None, **home)
+            shot = [sys.argv[3], project, "--screenshot", f"{folder}/b.png", "--frames", "3"]
+            with display() as server:
+                home.update(DISPLAY=server["DISPLAY"], WAYLAND_DISPLAY=None)
+                expect("editor on 4.4", shot, 3, "OpenGL 4.5", "Found", MESA_GL_VERSION_OVERRIDE="4.4", **home)
+                expect("editor on 4.5", shot, 0, MESA_GL_VERSION_OVERRIDE="4.5", MESA_EXTENSION_OVERRIDE=without, **home)
     print("4.5 without any extension does; 4.4, no device and no display are told")
 
 

@@ -91,6 +91,11 @@ int save(const std::string& file, const std::optional<std::string>& to) {
       if (flow.prompt() == Prompt::ConfirmOverwrite) flow.answerOverwrite(true);
     } else {
       flow.requestSave();
+      // A folder that may not be written to: the editor asks for another place, and says why when it is the same.
+      if (flow.prompt() == Prompt::ChooseSavePath) {
+        flow.answerPath(file);
+        flow.cancel();
+      }
     }
     if (flow.prompt() != Prompt::None) return makeError(ErrorKind::Machine, "an unexpected question");
     tell("probes " + std::to_string(probesOf(document)) + (document.dirty() ? " dirty" : " clean"));

@@ -55,7 +55,7 @@ class Programs(unittest.TestCase):
         prefix = self.installed.prefix
         there = tree(prefix)
         wanted = ["bin/windloom", "share/doc/windloom/README.md", "share/doc/windloom/CHANGELOG.md", "share/doc/windloom/copyright",
-                  "share/doc/windloom/docs/guide.md", "share/doc/windloom/docs/images/guide-tree.png",
+                  "share/doc/windloom/docs/tutorial.md", "share/doc/windloom/docs/images/tutorial-tree.png",
                   "share/doc/windloom/docs/examples/leaves/CMakeLists.txt", "share/windloom/shaders/shared/grid_mapping.h",
                   "share/bash-completion/completions/windloom", "share/zsh/site-functions/_windloom", "include/windloom_runtime.h"]
         source = self.installed.source
