@@ -116,9 +116,11 @@ class Endurance:
     def save(self, path):
         """Its bytes; they must be a valid project."""
         self.tidy("saving")
+        before = path.stat()  # what is clean is written as well, so that "not dirty" tells nothing
         self.app.key("ctrl+s")
-        self.app.wait("the project to be saved", lambda: self.app.fact("dirty") == "no" or self.app.fact("dialog") != "",
+        self.app.wait("the project to be saved", lambda: path.stat().st_ino != before.st_ino or self.app.fact("dialog") != "",
                       acts.FRAME_PATIENCE_S)
+        self.app.wait_fact("dirty", "no")
         check(self.app.fact("dirty") == "no", f"not saved: {self.app.read_map()[0]}")
         told = subprocess.run([self.windloom, "validate", str(path)], capture_output=True, text=True)
         check(told.returncode == 0, f"an invalid project was saved: {told.stdout}{told.stderr}")

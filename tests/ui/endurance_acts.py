@@ -289,7 +289,8 @@ def anything(hands):
         place = hands.inside(box)
         kind = hands.dice.randrange(5)
         if kind < 2:
-            hands.drag(place, (place[0] + hands.dice.randint(-80, 80), place[1] + hands.dice.randint(-50, 50)))
+            end = (place[0] + hands.dice.randint(-80, 80), place[1] + hands.dice.randint(-50, 50))
+            hands.drag(place, tuple(max(coordinate, 0) for coordinate in end))  # the pointer can't leave the screen
         elif kind == 2:
             hands.app.move(place)
             hands.app.xdotool("click", hands.dice.choice([4, 5]))
