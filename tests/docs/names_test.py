@@ -90,7 +90,7 @@ NO_NAMES = {
     "minimize_crash": "an option of libFuzzer", "exact_artifact_path": "an option of libFuzzer",
 }
 # Names that build scripts put together: programs and tests.
-MADE_NAMES = re.compile(r"(?:faults|fuzz)_\w+|\w+_fuzz")
+MADE_NAMES = re.compile(r"(?:cli|faults|fuzz)_\w+|\w+_fuzz")
 
 
 def words_of(root):

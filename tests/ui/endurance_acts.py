@@ -142,7 +142,7 @@ def copies(hands):
 
 def undo_redo(hands):
     hands.app.key(*["ctrl+z"] * hands.dice.randint(1, 12))
-    hands.app.key(*[hands.dice.choice(["ctrl+shift+z", "ctrl+y"])] * hands.dice.randint(0, 12))
+    hands.app.key(*[hands.dice.choice(["ctrl+shift+z", "ctrl+y"])] * hands.dice.randint(1, 12))
 
 
 def kinds_of_grass(title):
