@@ -283,6 +283,11 @@ void App::registerViewActions() {
                      },
                  .checked = [this, percent] { return int(m_look.scale * 100 + 0.5f) == percent; }});
   }
+  actions.add({.id = "view.reset_panels",
+               .label = "Reset panel sizes",
+               .category = "View",
+               .help = "Gives every panel the size it had at first.",
+               .run = [this] { m_layout = {}; }});
   actions.add({.id = "view.reload_shaders",
                .label = "Reload shaders",
                .category = "View",

@@ -49,6 +49,7 @@ void App::tellHealth(double seconds) {
   constexpr int kEvery = 30;
   if (m_frames % kEvery == 0) m_heapBytes = heapBytes();
   map.fact("health.heap bytes", std::to_string(m_heapBytes));
+  for (const auto& [label, bytes] : gpu::bytesByLabel()) map.fact("gpu." + label, std::to_string(bytes));
 }
 
 }  // namespace windloom::editor

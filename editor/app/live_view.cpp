@@ -17,7 +17,16 @@ Result<std::unique_ptr<LiveView>> LiveView::create() {
 }
 
 void LiveView::follow(const Document& document) {
-  if (document.revision() == m_revision || m_broken) return;
+  if (m_restart) {
+    m_session.reset();
+    m_failed.reset();
+    m_revision = 0;
+    m_strokesTime = 0;
+    m_restart = false;
+  }
+  if (document.revision() == m_revision) return;
+  // Tried again with another field only, of the edits: what else could help are new shaders or another driver.
+  if (m_failed && m_failed == document.project().field) return;
   m_revision = document.revision();
   if (m_session) {
     if (const Status status = m_session->setProject(document.project()); !status) logError(status.error().text());
@@ -29,17 +38,13 @@ void LiveView::follow(const Document& document) {
   options.liveGrid = m_liveGrid;
   auto session = Session::create(document.project(), options);
   if (!session) {
-    // Not tried again with each edit: only new shaders or another driver could help.
-    m_broken = true;
+    m_failed = document.project().field;
     logError("There is no live view: " + session.error().text());
     return;
   }
   m_session = std::move(session).value();
+  m_failed.reset();
   m_session->play();
-}
-
-void LiveView::restart() {
-  if (m_session) m_session->restart();
 }
 
 void LiveView::advance(double seconds) {
@@ -59,7 +64,7 @@ void LiveView::reloadShaders() {
   const gpu::ShaderLibrary::Reload reload = m_shaders->reloadChanged();
   for (const Problem& problem : reload.problems) logError(problem.text());
   if (reload.problems.empty()) logInfo("Shaders: " + std::to_string(reload.replaced) + " programs replaced");
-  m_broken = false;
+  m_failed.reset();
   m_revision = 0;
 }
 

@@ -21,8 +21,9 @@ class LiveView {
 
   /// Shows what the document now has. Failures go to the log, once; the last good project stays shown.
   void follow(const Document& document);
-  /// Another project was opened: its wind starts at 0.
-  void restart();
+  /// Another project was opened: the next follow() makes it a session of its own, so that nothing of the old one's
+  /// buffers stays. Until then session() is the old one, as panels may be using it in this frame.
+  void restart() { m_restart = true; }
   /// Runs the wind for `seconds` of real time.
   void advance(double seconds);
   /// The same with strokes of the wind brush in the air; they grow older with the wind's time.
@@ -30,10 +31,10 @@ class LiveView {
   /// Builds changed shaders again; problems go to the log and the old ones stay.
   void reloadShaders();
 
-  /// Null where the session can't be made; the editor works on without its picture.
   /// The GPU was reset: there will be no picture any more.
   [[nodiscard]] bool lost() { return m_context->lost(); }
   [[nodiscard]] const gpu::Context& context() const { return *m_context; }
+  /// Null where the session can't be made; the editor works on without its picture.
   [[nodiscard]] Session* session() { return m_session.get(); }
   /// How much of the grass to draw.
   [[nodiscard]] float detail() const { return m_fullQuality ? 1.0f : m_quality.detail(); }
@@ -52,7 +53,8 @@ class LiveView {
   std::unique_ptr<gpu::ShaderLibrary> m_shaders;
   std::unique_ptr<Session> m_session;
   QualityControl m_quality;
-  bool m_fullQuality = false, m_broken = false;
+  Shared<FieldSettings> m_failed;  // of a project that no session could be made for
+  bool m_fullQuality = false, m_restart = false;
   LiveGrid m_liveGrid = LiveGrid::Automatic;
   std::uint64_t m_revision = 0;
   double m_strokesTime = 0;   // of the wind when strokes were last given to it

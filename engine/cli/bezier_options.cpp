@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "engine/cli/bezier_options.hpp"
 
 namespace windloom::cli {

@@ -1,5 +1,6 @@
 #include "engine/cli/command_line.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstring>
 

@@ -1,5 +1,6 @@
 #include "engine/cli/common.hpp"
 
+#include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
 

@@ -4,7 +4,6 @@
 // Results go to standard output, everything else to standard error. With --json standard output holds
 // exactly one JSON object; it has "ok", and where that is false "errors": [{file, pointer, message}].
 
-#include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -13,6 +12,10 @@
 
 #include "engine/core/result.hpp"
 #include "engine/model/project.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace windloom::cli {
 

@@ -1,3 +1,5 @@
+#include <CLI/CLI.hpp>
+
 #include "engine/cli/project_option.hpp"
 
 #include "engine/core/log.hpp"

@@ -1,11 +1,14 @@
 #pragma once
 // What the verbs share that read a project of the user's: which of its files they may read.
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "engine/core/result.hpp"
 #include "engine/io/project_json.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace windloom::cli {
 

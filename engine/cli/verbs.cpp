@@ -1,5 +1,6 @@
 #include "engine/cli/verbs.hpp"
 
+#include <CLI/CLI.hpp>
 #include <array>
 
 namespace windloom::cli {

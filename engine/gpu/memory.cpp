@@ -31,6 +31,15 @@ std::size_t bytesInUse(std::string_view labelPrefix) {
   return sum;
 }
 
+std::map<std::string, std::size_t> bytesByLabel() {
+  Totals& all = totals();
+  const std::lock_guard lock(all.mutex);
+  std::map<std::string, std::size_t> used;
+  for (const auto& [label, bytes] : all.bytes)
+    if (bytes > 0) used.emplace(label, bytes);
+  return used;
+}
+
 MemoryUse::MemoryUse(std::string_view label, std::size_t bytes) : m_bytes(bytes) {
   Totals& all = totals();
   const std::lock_guard lock(all.mutex);

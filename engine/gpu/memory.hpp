@@ -3,12 +3,17 @@
 // (padding, compression data, programs, the window) is not in it.
 
 #include <cstddef>
+#include <map>
+#include <string>
 #include <string_view>
 
 namespace windloom::gpu {
 
 /// Bytes of all buffers and textures alive in this process whose label begins like this.
 std::size_t bytesInUse(std::string_view labelPrefix = {});
+
+/// Bytes of all buffers and textures alive in this process, by label; labels whose objects are all gone are left out.
+std::map<std::string, std::size_t> bytesByLabel();
 
 /// Counts an object for as long as it lives. Buffers and textures own one.
 class MemoryUse {

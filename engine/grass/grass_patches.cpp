@@ -88,10 +88,10 @@ Status GrassPatches::configure(const GrassSettings& grass, const GrassLayout& la
   return Done{};
 }
 
-void GrassPatches::upload(std::span<const ColliderPrimitive> primitives) {
+void GrassPatches::upload() {
   const std::vector<GrassPatch>& patches = m_cells.patches();
   m_patches.write(std::span<const GrassPatch>(patches));
-  m_primitives.write(primitives);
+  m_primitives.write(std::span<const ColliderPrimitive>(m_cells.near()));
   if (m_sent == m_cells.generation()) return;
   m_sent = m_cells.generation();
   const std::vector<PatchEntry> entries = patchTable(patches);
@@ -105,16 +105,16 @@ void GrassPatches::upload(std::span<const ColliderPrimitive> primitives) {
 void GrassPatches::step(const DynamicsStep& step, std::span<const ColliderPrimitive> primitives,
                         const HeightField* ground) {
   if (step.jumped) m_cells.clear();
-  if (m_primitives.bytes() < primitives.size_bytes()) {
-    if (Status made = makePrimitiveRoom(2 * primitives.size()); !made) {
+  m_cells.step(step.seconds, primitives, ground);
+  if (const std::size_t count = m_cells.near().size(); m_primitives.bytes() < count * sizeof(ColliderPrimitive)) {
+    if (Status made = makePrimitiveRoom(count + count / 2); !made) {
       logError(made.error().text());
-      primitives = {};
+      m_cells.clear();
     }
   }
-  m_cells.step(step.seconds, primitives, ground);
   // The last step and frame read what is written now, and the last step wrote the state.
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
-  upload(primitives);
+  upload();
   if (m_cells.patches().empty()) return;
   const gpu::DebugGroup group("grass: step patches");
   m_patches.bindStorage(RENDER_SSBO_PATCHES);
@@ -124,7 +124,6 @@ void GrassPatches::step(const DynamicsStep& step, std::span<const ColliderPrimit
   m_program->set("dtSeconds", step.seconds);
   m_program->set("swingStiffness", m_stiffness);
   m_program->set("swingDamping", m_damping);
-  m_program->set("primitiveCount", static_cast<int>(primitives.size()));
   const int groups = (m_cells.stride() + PATCH_GROUP - 1) / PATCH_GROUP;
   m_program->dispatch(groups, static_cast<int>(m_cells.patches().size()));
 }

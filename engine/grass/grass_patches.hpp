@@ -38,7 +38,7 @@ class GrassPatches {
   GrassPatches() = default;
   Status makeRoom(const PatchCells& cells);
   Status makePrimitiveRoom(std::size_t count);
-  void upload(std::span<const ColliderPrimitive> primitives);
+  void upload();
 
   gpu::Program* m_program = nullptr;
   PatchCells m_cells;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "shaders/shared/chain_contact.h"
+
 namespace windloom {
 namespace {
 
@@ -37,12 +39,14 @@ void PatchCells::configure(const PatchLimits& limits) {
   m_slots = m_stride > 0 ? std::min(limits.blades / m_stride, kMostPatches) : 0;
   m_patches.assign(static_cast<std::size_t>(m_slots), {});
   m_list.clear();
+  m_near.clear();
   ++m_generation;
 }
 
 void PatchCells::clear() {
   for (Patch& patch : m_patches) release(patch);
   m_list.clear();
+  m_near.clear();
 }
 
 void PatchCells::release(Patch& patch) {
@@ -53,26 +57,34 @@ void PatchCells::release(Patch& patch) {
 void PatchCells::step(float dtSeconds, std::span<const ColliderPrimitive> primitives, const HeightField* ground) {
   m_time += static_cast<double>(dtSeconds);
   for (Patch& patch : m_patches) patch.isNew = false;
-  collectTouched(primitives, ground);
+  collectTouches(primitives, ground);
   for (Patch& patch : m_patches) {
-    if (!patch.used || !std::binary_search(m_touched.begin(), m_touched.end(), patch.cell, before)) continue;
+    if (!patch.used || touchesOf(patch.cell).empty()) continue;
     patch.touched = m_time;
     patch.fadeLeft = -1.0f;
   }
   dropSettled();
   fade(dtSeconds);
-  for (const glm::ivec2 cell : m_touched) take(cell);
+  for (std::size_t i = 0; i < m_touches.size(); ++i) {
+    if (i == 0 || m_touches[i].cell != m_touches[i - 1].cell) take(m_touches[i].cell);
+  }
   keepReserve();
-  fillList(dtSeconds);
+  fillList(dtSeconds, primitives);
 }
 
-void PatchCells::collectTouched(std::span<const ColliderPrimitive> primitives, const HeightField* ground) {
-  m_touched.clear();
-  const float side = m_limits.tileSideM;
-  for (const ColliderPrimitive& primitive : primitives) {
-    if (m_slots == 0) return;
+std::span<const PatchCells::Touch> PatchCells::touchesOf(glm::ivec2 cell) const {
+  const auto found = std::ranges::equal_range(m_touches, cell, before, &Touch::cell);
+  return {found.begin(), found.end()};
+}
+
+void PatchCells::collectTouches(std::span<const ColliderPrimitive> primitives, const HeightField* ground) {
+  m_touches.clear();
+  if (m_slots == 0) return;
+  const float side = m_limits.tileSideM, bladeReach = m_limits.reachM + 2.0f * CONTACT_MARGIN;
+  for (std::uint32_t n = 0; n < primitives.size(); ++n) {
+    const ColliderPrimitive& primitive = primitives[n];
     const glm::vec2 a(primitive.a.x, primitive.a.z), b(primitive.b.x, primitive.b.z);
-    const float reach = primitive.a.w + m_limits.reachM;
+    const float reach = primitive.a.w + bladeReach;
     const glm::ivec2 low(glm::floor((glm::min(a, b) - reach) / side)),
         high(glm::floor((glm::max(a, b) + reach) / side));
     const float lowest = std::min(primitive.a.y, primitive.b.y) - primitive.a.w;
@@ -81,12 +93,12 @@ void PatchCells::collectTouched(std::span<const ColliderPrimitive> primitives, c
         const glm::vec2 corner = side * glm::vec2(x, z);
         if (!nearSquare(a, b, corner, side, reach)) continue;
         const float top = ground != nullptr ? heightsOver(*ground, corner, corner + side).highest : 0.0f;
-        if (lowest <= top + m_limits.reachM) m_touched.emplace_back(x, z);
+        if (lowest <= top + bladeReach) m_touches.push_back({{x, z}, n});
       }
     }
   }
-  std::sort(m_touched.begin(), m_touched.end(), before);
-  m_touched.erase(std::unique(m_touched.begin(), m_touched.end()), m_touched.end());
+  // Of a cell they came in the primitives' order, which decides how a blade between two of them bends.
+  std::ranges::stable_sort(m_touches, before, &Touch::cell);
 }
 
 void PatchCells::dropSettled() {
@@ -146,8 +158,9 @@ void PatchCells::keepReserve() {
   }
 }
 
-void PatchCells::fillList(float dtSeconds) {
+void PatchCells::fillList(float dtSeconds, std::span<const ColliderPrimitive> primitives) {
   m_list.clear();
+  m_near.clear();
   for (std::size_t slot = 0; slot < m_patches.size(); ++slot) {
     const Patch& patch = m_patches[slot];
     if (!patch.used) continue;
@@ -156,8 +169,10 @@ void PatchCells::fillList(float dtSeconds) {
     if (patch.fadeLeft >= 0.0f && patch.fadeLeft < kPatchFadeSeconds)
       keep = patch.fadeLeft / (patch.fadeLeft + dtSeconds);
     if (patch.fadeLeft == 0.0f) keep = 0.0f;
-    m_list.push_back(
-        {patch.cell.x, patch.cell.y, static_cast<std::uint32_t>(slot), keep, patch.touched >= m_time ? 1u : 0u});
+    const std::span<const Touch> touches = touchesOf(patch.cell);
+    m_list.push_back({patch.cell.x, patch.cell.y, static_cast<std::uint32_t>(slot), keep,
+                      static_cast<std::uint32_t>(m_near.size()), static_cast<std::uint32_t>(touches.size())});
+    for (const Touch& touch : touches) m_near.push_back(primitives[touch.primitive]);
   }
 }
 

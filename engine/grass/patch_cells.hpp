@@ -42,6 +42,9 @@ class PatchCells {
 
   /// In this step, by slot; GrassPatch::keep is 0 for those new in it.
   [[nodiscard]] const std::vector<GrassPatch>& patches() const { return m_list; }
+  /// The primitives of this step that may touch a patch, in their order: GrassPatch::first and count are places here.
+  /// One that may touch several patches stands here as often.
+  [[nodiscard]] const std::vector<ColliderPrimitive>& near() const { return m_near; }
   [[nodiscard]] int slots() const { return m_slots; }
   [[nodiscard]] int stride() const { return m_stride; }  ///< blades remembered of a patch
   /// Changes whenever another tile has a slot.
@@ -54,20 +57,26 @@ class PatchCells {
     float fadeLeft = -1.0f;  // s; negative: it stays
     bool used = false, isNew = false;
   };
-  void collectTouched(std::span<const ColliderPrimitive> primitives, const HeightField* ground);
+  struct Touch {
+    glm::ivec2 cell{0};
+    std::uint32_t primitive = 0;
+  };
+  void collectTouches(std::span<const ColliderPrimitive> primitives, const HeightField* ground);
+  [[nodiscard]] std::span<const Touch> touchesOf(glm::ivec2 cell) const;
   void dropSettled();
   void fade(float dtSeconds);
   void take(glm::ivec2 cell);
   void keepReserve();
   [[nodiscard]] Patch* leastRecent();
-  void fillList(float dtSeconds);
+  void fillList(float dtSeconds, std::span<const ColliderPrimitive> primitives);
   void release(Patch& patch);
 
   PatchLimits m_limits;
   int m_slots = 0, m_stride = 0;
   std::vector<Patch> m_patches;
-  std::vector<glm::ivec2> m_touched;
+  std::vector<Touch> m_touches;  // by cell, then by primitive
   std::vector<GrassPatch> m_list;
+  std::vector<ColliderPrimitive> m_near;
   double m_time = 0;
   std::uint64_t m_generation = 0;
 };

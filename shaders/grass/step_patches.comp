@@ -22,10 +22,14 @@ layout(local_size_x = PATCH_GROUP) in;
 layout(std430, binding = RENDER_SSBO_PATCHES) readonly buffer Patches { GrassPatch patches[]; };
 layout(std430, binding = RENDER_SSBO_PRIMITIVES) readonly buffer Primitives { ColliderPrimitive primitives[]; };
 
+// What may touch the patch: places in primitives[].
+struct Near {
+  uint first, end;
+};
+
 uniform float dtSeconds;
 uniform float swingStiffness;  // k/J, 1/s^2
 uniform float swingDamping;    // 1/s
-uniform int primitiveCount;
 
 // Spring and damping of one joint over the step.
 vec4 swung(vec4 joint, float rate, float keep) {
@@ -78,18 +82,18 @@ ContactChain chainOf(BladeRoot own, BladePose pose, float height, vec2 turned[CH
   return chain;
 }
 
-// The next primitive from n on that a blade of this reach can touch, or primitiveCount. Looking for it before the work is
+// The next primitive from n on that a blade of this reach can touch, or `end`. Looking for it before the work is
 // done, not leaving the work out where it isn't needed, lets processors that step through blades together skip it as well.
-int nextNear(int n, vec3 root, float reach) {
-  while (n < primitiveCount && colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) ++n;
+uint nextNear(uint n, uint end, vec3 root, float reach) {
+  while (n < end && colliderDistance(primitives[n], root) > reach + 2.0 * CONTACT_MARGIN) ++n;
   return n;
 }
 
 // Bends the blade out of everything; false: its root is inside, or there is no way out.
-bool touched(inout ContactChain chain, vec3 root, vec3 normal, float reach) {
+bool touched(inout ContactChain chain, Near near, vec3 root, vec3 normal, float reach) {
   for (int pass = 0; pass < CONTACT_PASSES; ++pass) {
     bool clear = true;
-    for (int n = nextNear(0, root, reach); n < primitiveCount; n = nextNear(n + 1, root, reach)) {
+    for (uint n = nextNear(near.first, near.end, root, reach); n < near.end; n = nextNear(n + 1u, near.end, root, reach)) {
       ColliderPrimitive primitive = seenFrom(primitives[n], root, normal);
       if (rootInside(primitive)) return false;
       if (chainDistance(chain, primitive) >= 0.97 * CONTACT_MARGIN) continue;
@@ -98,20 +102,20 @@ bool touched(inout ContactChain chain, vec3 root, vec3 normal, float reach) {
     }
     if (clear) return true;
   }
-  for (int n = nextNear(0, root, reach); n < primitiveCount; n = nextNear(n + 1, root, reach)) {
+  for (uint n = nextNear(near.first, near.end, root, reach); n < near.end; n = nextNear(n + 1u, near.end, root, reach)) {
     if (chainDistance(chain, seenFrom(primitives[n], root, normal)) < 0.9 * CONTACT_MARGIN) return false;
   }
   return true;
 }
 
 // Bends a blade out of what touches it; false: it is hidden.
-bool bentOutOfAll(BladeRoot own, inout vec4 joints[CHAIN_SEGMENTS]) {
+bool bentOutOfAll(BladeRoot own, Near near, inout vec4 joints[CHAIN_SEGMENTS]) {
   vec3 root = vec3(own.root.x, groundHeight(own.root), own.root.y);
-  if (nextNear(0, root, own.height * 1.25 * max(mapHeight(own.root), 1.0)) == primitiveCount) return true;
+  if (nextNear(near.first, near.end, root, own.height * 1.25 * max(mapHeight(own.root), 1.0)) == near.end) return true;
   float height = standingHeight(own);
   BladePose pose = blockPose(own, rippledWind(own.root, groupWind(own.root), grass.motion.z));
   ContactChain chain = chainOf(own, pose, height, vec2[](joints[0].xy, joints[1].xy, joints[2].xy, joints[3].xy));
-  if (!touched(chain, root, groundNormal(own.root), height)) return false;
+  if (!touched(chain, near, root, groundNormal(own.root), height)) return false;
   vec2 below = vec2(0.0);
   for (int i = 0; i < CHAIN_SEGMENTS; ++i) {
     vec2 lean = chain.lean[i] - pose.leans.e[i];
@@ -139,7 +143,7 @@ void main() {
   evenOut(joints, rate);
 
   hidden = false;
-  if (tile.touched != 0u) hidden = !bentOutOfAll(bladeRoot(cell, index, total), joints);
+  if (tile.count != 0u) hidden = !bentOutOfAll(bladeRoot(cell, index, total), Near(tile.first, tile.first + tile.count), joints);
   if (hidden) joints = vec4[](vec4(PATCH_HIDDEN, 0.0, 0.0, 0.0), vec4(0.0), vec4(0.0), vec4(0.0));
   for (int i = 0; i < CHAIN_SEGMENTS; ++i) patchState[patchStateAt(tile.slot, index, i)] = joints[i];
 }

@@ -15,7 +15,8 @@ struct GrassPatch {
   int z;
   uint slot;   // where its blades are remembered
   float keep;  // part of the bend that stays: 0 for a new patch, between 0 and 1 while it gives way
-  uint touched;  // 1: something may touch it now
+  uint first;  // of the primitives that may touch it now, those of a patch one after the other
+  uint count;  // of them
 };
 
 /// An entry of the table from tiles to patches: open addressing by patchHash, linear probing.
@@ -41,7 +42,7 @@ WL_FUNCTION uint patchHash(int x, int z) { return hashCombine(uint(x), uint(z));
 
 WL_SHARED_END
 #ifdef __cplusplus
-static_assert(sizeof(windloom::shared::GrassPatch) == 20, "std430 layout");
+static_assert(sizeof(windloom::shared::GrassPatch) == 24, "std430 layout");
 static_assert(sizeof(windloom::shared::PatchEntry) == 16, "std430 layout");
 static_assert(sizeof(windloom::shared::PatchTableHead) == 16, "std430 layout");
 #endif

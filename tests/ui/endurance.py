@@ -47,7 +47,7 @@ class Endurance:
     def __init__(self, app, windloom, folder, seconds, seed):
         self.app, self.windloom, self.folder, self.seconds, self.seed = app, windloom, folder, seconds, seed
         self.start = time.monotonic()
-        self.samples, self.counts, self.names = [], {}, []
+        self.samples, self.labels, self.counts, self.names = [], [], {}, []
         self.acts, self.round_trips, self.saves, self.opened, self.log_at = 0, 0, 0, 0, 0
         self.slowest = (0, "")
         self.reference = folder / "reference.wind.json"
@@ -167,6 +167,8 @@ class Endurance:
                 self.app.key(keys[name])
             else:
                 self.hands("rest").press("toolbar/overlay." + name)
+        for command in ("Reset panel sizes", "Interface at 100%"):
+            acts.command(self.hands("rest"), command)
         self.app.key("q")
         if facts["loop"] != "off":
             self.app.key("shift+l")
@@ -186,7 +188,8 @@ class Endurance:
         self.samples.append(dict(zip(COLUMNS, [round(self.passed(), 1), self.acts, resident, int(facts["health.heap bytes"]),
                                                int(facts["health.gpu bytes"]), int(facts["frame"]),
                                                float(facts["health.longest frame"]), self.names[-1] if self.names else ""])))
-        print(" ".join(f"{name}={value}" for name, value in self.samples[-1].items()), flush=True)
+        self.labels.append({name: int(value) for name, value in facts.items() if name.startswith("gpu.")})
+        print(" ".join(f"{name}={value}" for name, value in self.samples[-1].items()), self.changed_labels() or "", flush=True)
 
     def growth(self, name):
         """Of what is used at the end over what was used after the first tenth: medians of some samples each, as one may have
@@ -196,6 +199,11 @@ class Endurance:
         few = max(1, len(settled) // 4)
         return statistics.median(settled[-few:]) / statistics.median(settled[:few]) - 1
 
+    def changed_labels(self):
+        """What of OpenGL's memory is not as it was at the first look."""
+        first, last = self.labels[0], self.labels[-1]
+        return {name: (first.get(name, 0), last.get(name, 0)) for name in sorted(first | last) if first.get(name) != last.get(name)}
+
     # The run
 
     def warm_up(self):
@@ -203,10 +211,10 @@ class Endurance:
         for name in self.projects if self.seconds >= SHORT_S else LIGHT:
             self.open_sample(name)
             self.app.wait_fact("scene", "yes")
-            for key in acts.kinds_of_grass(name):
+            for key in acts.KINDS_OF_GRASS:
                 self.app.key(key)
                 acts.Hands(self.app, random.Random(0)).frames(2)
-            self.app.key(acts.kinds_of_grass(name)[0])
+            self.app.key(acts.KINDS_OF_GRASS[0])
             for key in "5678967895":
                 self.app.key(key)
                 acts.Hands(self.app, random.Random(0)).frames(1)
@@ -250,7 +258,8 @@ class Endurance:
         short = self.seconds < SHORT_S
         for name in ("gpu",) if short else ("resident", "heap", "gpu"):
             grown, most = self.growth(name), SHORT_GROWTH if short else GROWTH
-            check(grown <= most, f"{name} memory grew by {grown:.1%}, more than {most:.0%}: {[s[name] for s in self.samples]}")
+            check(grown <= most, f"{name} memory grew by {grown:.1%}, more than {most:.0%}: {[s[name] for s in self.samples]}; "
+                                 f"labels: {self.changed_labels()}")
 
     def summary(self):
         used = " ".join(f"{name}={count}" for name, count in sorted(self.counts.items()))

@@ -12,7 +12,7 @@ NOT_AT_RANDOM = re.compile(
     r"|inspector/field/|inspector/.*(density|resolution|blades|patch_blades|size|texture|shells|reach|distance)"
     r"|surface:|split/|toolbar/surfaces|toolbar/species)")
 COMMANDS = ["Light theme", "Interface at 125%", "Interface at 100%", "Reload shaders", "Full quality", "Grass view", "Leave out blades",
-            "Wind vectors", "Vorticity map", "Add rotor", "Orthographic", "Frame all", "Show all", "Live wind on the project"]
+            "Wind vectors", "Vorticity map", "Add rotor", "Orthographic", "Frame all", "Show all", "Live wind on the project", "Reset panel sizes"]
 
 
 class Hands:
@@ -145,15 +145,12 @@ def undo_redo(hands):
     hands.app.key(*[hands.dice.choice(["ctrl+shift+z", "ctrl+y"])] * hands.dice.randint(1, 12))
 
 
-def kinds_of_grass(title):
-    """The keys of those that a software renderer can draw there: instanced blades bent out of the thousand balls of nature's
-    fallen tree take it minutes a frame."""
-    return "234" if title.startswith("nature") else "1234"
+KINDS_OF_GRASS = "1234"
 
 
 def grass(hands):
     for _ in range(hands.dice.randint(1, 3)):
-        hands.app.key(hands.dice.choice(kinds_of_grass(hands.app.fact("title").lstrip("* "))))
+        hands.app.key(hands.dice.choice(KINDS_OF_GRASS))
         hands.frames(2)
 
 
@@ -234,11 +231,12 @@ def panels(hands):
         command(hands)
 
 
-def command(hands):
+def command(hands, name=None):
+    """By the palette."""
     hands.app.key("F3")
     hands.frames(2)
     if hands.app.fact("dialog") == "palette":
-        hands.app.type(hands.dice.choice(COMMANDS))
+        hands.app.type(name or hands.dice.choice(COMMANDS))
         hands.frames(2)
         hands.app.key("Return")
     hands.frames(1)

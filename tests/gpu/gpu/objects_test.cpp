@@ -125,11 +125,14 @@ TEST_F(GpuMemory, CountsBuffersAndTexturesByTheirLabel) {
     EXPECT_EQ(bytesInUse("memory test"), 1424u);
     EXPECT_EQ(bytesInUse("memory test t"), 24u);
     EXPECT_EQ(bytesInUse("memory tests"), 0u);
+    EXPECT_EQ(bytesByLabel().at("memory test one"), 1000u);
+    EXPECT_EQ(bytesByLabel().count("memory tests"), 0u);
     EXPECT_EQ(bytesInUse(), before + 1424u);
     const Buffer moved = std::move(*one);
     EXPECT_EQ(bytesInUse("memory test one"), 1000u) << "still one buffer";
     *picture = Texture();
     EXPECT_EQ(bytesInUse("memory test p"), 0u);
+    EXPECT_EQ(bytesByLabel().count("memory test picture"), 0u);
     auto another = Buffer::create("memory test one", 500, BufferUse::Static);
     ASSERT_TRUE(another.ok());
     *two = std::move(*another);

@@ -32,7 +32,7 @@ std::optional<GrassPatch> find(const PatchCells& cells, int x, int z) {
 GrassPatch patchAt(const PatchCells& cells, int x, int z) {
   const auto found = find(cells, x, z);
   EXPECT_TRUE(found.has_value()) << x << ", " << z;
-  return found.value_or(GrassPatch{0, 0, 99'999, -1.0f, 0});
+  return found.value_or(GrassPatch{0, 0, 99'999, -1.0f, 0, 0});
 }
 
 void stepWith(PatchCells& cells, const std::vector<ColliderPrimitive>& primitives, int steps = 1) {
@@ -57,6 +57,31 @@ TEST(PatchCells, ACapsuleTouchesAllTilesAlongIt) {
   stepWith(cells, {{glm::vec4(1.0f, 0.3f, 1.0f, 0.3f), glm::vec4(9.0f, 0.3f, 1.0f, 0.0f)}});
   for (int x = 0; x <= 4; ++x) EXPECT_TRUE(find(cells, x, 0).has_value()) << x;
   EXPECT_FALSE(find(cells, 2, 2).has_value());
+}
+
+TEST(PatchCells, APatchIsGivenWhatMayTouchItInItsOrder) {
+  PatchCells cells;
+  cells.configure(limits(10'000));
+  // Far from each other but for the first and the last; the second lies on two tiles.
+  const std::vector<ColliderPrimitive> balls = {ballAt(1.0f, 1.0f), ballAt(12.0f, 1.0f), ballAt(41.0f, 41.0f),
+                                                ballAt(1.2f, 1.2f, 0.3f)};
+  stepWith(cells, balls);
+  const auto givenTo = [&](int x, int z) {
+    const GrassPatch patch = patchAt(cells, x, z);
+    const auto from = cells.near().begin() + patch.first;
+    return std::vector<ColliderPrimitive>(from, from + patch.count);
+  };
+  ASSERT_EQ(givenTo(0, 0).size(), 2u);
+  EXPECT_EQ(givenTo(0, 0)[0].a, balls[0].a);
+  EXPECT_EQ(givenTo(0, 0)[1].a, balls[3].a);
+  for (const int x : {5, 6}) {
+    ASSERT_EQ(givenTo(x, 0).size(), 1u) << x;
+    EXPECT_EQ(givenTo(x, 0)[0].a, balls[1].a) << x;
+  }
+  ASSERT_EQ(givenTo(20, 20).size(), 1u);
+  stepWith(cells, {balls[2]});
+  EXPECT_TRUE(givenTo(0, 0).empty()) << "it remembers, and nothing touches it";
+  EXPECT_EQ(givenTo(20, 20).size(), 1u);
 }
 
 TEST(PatchCells, NothingOverTheGrassTouchesIt) {
@@ -85,9 +110,9 @@ TEST(PatchCells, ReturnsToABlockOnceSettled) {
   PatchCells cells;
   cells.configure(limits(10'000, 2.0f));
   stepWith(cells, {ballAt(1.0f, 1.0f)});
-  EXPECT_EQ(patchAt(cells, 0, 0).touched, 1u);
+  EXPECT_EQ(patchAt(cells, 0, 0).count, 1u);
   stepWith(cells, {}, 115);
-  EXPECT_EQ(patchAt(cells, 0, 0).touched, 0u);
+  EXPECT_EQ(patchAt(cells, 0, 0).count, 0u);
   EXPECT_TRUE(find(cells, 0, 0).has_value()) << "after 1.9 s it still swings";
   stepWith(cells, {}, 10);
   EXPECT_TRUE(cells.patches().empty()) << "after 2.1 s it does not";
@@ -205,7 +230,7 @@ TEST(PatchCells, ClearingAndOtherTilesDropAllPatches) {
 
 TEST(PatchTable, FindsEveryPatchAndNoOther) {
   std::vector<GrassPatch> patches;
-  for (int n = 0; n < 300; ++n) patches.push_back({n % 20 - 10, n / 20 - 7, static_cast<std::uint32_t>(n), 1.0f, 0});
+  for (int n = 0; n < 300; ++n) patches.push_back({n % 20 - 10, n / 20 - 7, static_cast<std::uint32_t>(n), 1.0f, 0, 0});
   const auto table = patchTable(patches);
   const std::size_t mask = table.size() - 1;
   ASSERT_EQ(table.size() & mask, 0u);
