@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cstring>
+#include <exception>
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
+#include <new>
 
 #include "engine/core/file.hpp"
 #include "engine/io/json_document.hpp"
@@ -133,10 +135,17 @@ Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures, const Fil
   const auto size = static_cast<unsigned>(bytes->size());
   const std::string folder = reach.folder.string();
   const bool binary = bytes->starts_with("glTF");
-  const bool good =
-      binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
-                                           reinterpret_cast<const unsigned char*>(bytes->data()), size, folder)
-             : loader.LoadASCIIFromString(&model, &problem, &warning, bytes->data(), size, folder);
+  bool good = false;
+  try {
+    good = binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
+                                                reinterpret_cast<const unsigned char*>(bytes->data()), size, folder)
+                  : loader.LoadASCIIFromString(&model, &problem, &warning, bytes->data(), size, folder);
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception&) {
+    // Where a buffer of a binary file is empty, the library looks at its first byte by at().
+    problem.clear();
+  }
   if (!good && !reach.refused.empty()) {
     return refuse(file, "refers to '" + reach.refused +
                             "', which lies outside its folder: such files are read only where you allow it");
