@@ -8,7 +8,8 @@ namespace windloom::editor {
 /// Puts the selection on the clipboard.
 void copySelection(Workspace& workspace);
 /// Adds what the clipboard's text holds (any project's text will do) with its middle under the pointer, and selects
-/// it. Text that is no project is refused with a message.
+/// it. Text that is no project is refused with a message. Files of what this editor copied in another project's folder
+/// come along into this one's; what is missing all the same is told.
 void pasteAtPointer(Workspace& workspace);
 
 }  // namespace windloom::editor

@@ -259,13 +259,18 @@ void Workspace::say(MessageKind kind, std::string text) {
   ++m_messageNumber;
 }
 
-void Workspace::writeClipboardText(const std::string& text) {
+void Workspace::writeClipboardText(const std::string& text, std::filesystem::path folder) {
   m_clipboard = text;
+  m_clipboardFolder = std::move(folder);
   if (writeClipboard) writeClipboard(text);
 }
 
 std::string Workspace::clipboardText() const {
   return readClipboard ? readClipboard() : m_clipboard;
+}
+
+std::filesystem::path Workspace::copiedFrom(const std::string& text) const {
+  return text == m_clipboard ? m_clipboardFolder : std::filesystem::path();
 }
 
 void Workspace::lookAs(Id id) {

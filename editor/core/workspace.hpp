@@ -102,8 +102,11 @@ class Workspace {
   [[nodiscard]] Id lookedThrough() const { return m_lookedThrough; }
 
   /// Through the callbacks, or within the editor where there are none.
-  void writeClipboardText(const std::string& text);
+  /// `folder`: of the project that it was copied from; empty: it has no file yet.
+  void writeClipboardText(const std::string& text, std::filesystem::path folder = {});
   [[nodiscard]] std::string clipboardText() const;
+  /// The folder that this text was copied from by this editor; empty where it comes from elsewhere.
+  [[nodiscard]] std::filesystem::path copiedFrom(const std::string& text) const;
 
  private:
   void takeTerrain();
@@ -119,6 +122,7 @@ class Workspace {
   glm::vec2 m_pointer{0.0f};
   double m_seconds = 0;  // of real time, counted by tick
   std::string m_clipboard;
+  std::filesystem::path m_clipboardFolder;
   Id m_lookedThrough = 0;
 };
 

@@ -172,9 +172,12 @@ class Endurance:
         self.app.key("q")
         if facts["loop"] != "off":
             self.app.key("shift+l")
-        # Twice: the driver holds on to some buffers of the project before until others take their places.
+        # Twice, and every kind of grass in between: the driver holds on to buffers of the project before until others take
+        # their places.
         self.open(self.reference)
-        acts.Hands(self.app, random.Random(0)).frames(5)
+        for key in acts.KINDS_OF_GRASS:
+            self.app.key(key)
+            acts.Hands(self.app, random.Random(0)).frames(3)
         self.open(self.reference)
         self.app.key("shift+space")
         if self.app.fact("playing") != "yes":

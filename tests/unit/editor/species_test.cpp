@@ -1,5 +1,6 @@
 // Species, and the files of species, colliders and maps, in the editor.
 #include <chrono>
+#include <fstream>
 #include <thread>
 
 #include "editor/core/inspector.hpp"
@@ -308,6 +309,35 @@ TEST_F(AssetsInEditor, PastedPlantsAreReadFromTheProjectsFolder) {
   m_bench.key("Ctrl+V");
   ASSERT_EQ(project().species->size(), 2u);
   EXPECT_NE(project().species->back().mesh, nullptr);
+}
+
+TEST_F(AssetsInEditor, FilesOfWhatIsPastedIntoAnotherProjectComeAlong) {
+  load({.use = AssetUse::Species}, "elsewhere/tuft.glb");
+  const std::string file = project().species->back().file;
+  m_bench.key("Ctrl+C");
+  // The other project has a different file of that name.
+  const fs::path other = m_folder / "other";
+  fs::create_directories((other / file).parent_path());
+  std::ofstream(other / file) << "something else";
+  w().document.startNew();
+  ASSERT_TRUE(w().document.saveAs(other / "other.wind.json").ok());
+  m_bench.key("Ctrl+V");
+  ASSERT_FALSE(project().species->empty());
+  const Species& pasted = project().species->back();
+  EXPECT_NE(pasted.mesh, nullptr) << w().message().text;
+  EXPECT_NE(pasted.file, file);
+  EXPECT_TRUE(fs::exists(other / pasted.file));
+}
+
+TEST_F(AssetsInEditor, PastingWithoutItsFileSaysSo) {
+  load({.use = AssetUse::Species}, "elsewhere/tuft.glb");
+  const std::string file = project().species->back().file;
+  m_bench.key("Ctrl+C");
+  fs::remove(m_folder / "project" / file);
+  m_bench.key("Ctrl+V");
+  ASSERT_EQ(project().species->size(), 2u);
+  EXPECT_EQ(project().species->back().mesh, nullptr);
+  EXPECT_NE(w().message().text.find("Pasted without a file"), std::string::npos) << w().message().text;
 }
 
 }  // namespace windloom::editor
