@@ -14,6 +14,10 @@ namespace windloom::gltf {
 namespace fs = std::filesystem;
 namespace {
 
+bool inside(int index, std::size_t count) {
+  return index >= 0 && static_cast<std::size_t>(index) < count;
+}
+
 /// Where a file's other files may lie, and what became of that.
 struct Reach {
   fs::path folder;
@@ -21,6 +25,7 @@ struct Reach {
   FileAccess access;
   std::string refused;  // the first file that lies outside
   std::uint64_t bytesLeft = kMaxBufferBytes;
+  const tinygltf::Model* model = nullptr;
 };
 
 bool isPicture(const fs::path& path) {
@@ -63,8 +68,22 @@ std::string_view jsonOf(std::string_view bytes) {
   return bytes.substr(kHeader + kChunkHeader, length);
 }
 
-bool takePicture(tinygltf::Image* image, int, std::string*, std::string*, int, int, const unsigned char* bytes,
+/// Whether the view ends within its buffer, and takes `size` bytes of it: the library doesn't look.
+bool viewEndsWithin(const tinygltf::Model& model, int index, int size) {
+  if (!inside(index, model.bufferViews.size())) return false;
+  const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(index)];
+  if (!inside(view.buffer, model.buffers.size())) return false;
+  const std::size_t there = model.buffers[static_cast<std::size_t>(view.buffer)].data.size();
+  return size >= 0 && view.byteOffset <= there && static_cast<std::size_t>(size) <= there - view.byteOffset;
+}
+
+bool takePicture(tinygltf::Image* image, int, std::string* problem, std::string*, int, int, const unsigned char* bytes,
                  int size, void* data) {
+  const tinygltf::Model& model = *static_cast<const Reach*>(data)->model;
+  if (image->bufferView >= 0 && !viewEndsWithin(model, image->bufferView, size)) {
+    if (problem != nullptr) *problem = "a picture ends beyond its buffer";
+    return false;
+  }
   if (static_cast<const Reach*>(data)->pictures == Pictures::Keep && size > 0) image->image.assign(bytes, bytes + size);
   return true;
 }
@@ -73,10 +92,6 @@ std::string oneLine(std::string text) {
   while (!text.empty() && text.back() == '\n') text.pop_back();
   std::ranges::replace(text, '\n', ' ');
   return text;
-}
-
-bool inside(int index, std::size_t count) {
-  return index >= 0 && static_cast<std::size_t>(index) < count;
 }
 
 std::string amount(std::size_t count) {
@@ -95,6 +110,20 @@ glm::dmat4 transformOf(const tinygltf::Node& node) {
     own *= glm::mat4_cast(glm::dquat(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]));
   if (node.scale.size() == 3) own = glm::scale(own, {node.scale[0], node.scale[1], node.scale[2]});
   return own;
+}
+
+/// Whether the second chunk of a binary file ends within the file: the library leaves the chunk's header out of its
+/// sum, and would read beyond.
+bool chunksEndWithin(std::string_view bytes) {
+  constexpr std::size_t kHeader = 12, kChunkHeader = 8;
+  const auto lengthAt = [&](std::size_t at) {
+    std::uint32_t length = 0;  // little endian, as the file is
+    std::memcpy(&length, bytes.data() + at, sizeof length);
+    return std::size_t(length);
+  };
+  if (bytes.size() < kHeader + kChunkHeader) return true;
+  const std::size_t second = kHeader + kChunkHeader + lengthAt(kHeader);
+  return second + kChunkHeader > bytes.size() || second + kChunkHeader + lengthAt(second) <= bytes.size();
 }
 
 Result<std::vector<int>> rootsOf(const tinygltf::Model& model, const fs::path& file) {
@@ -131,10 +160,13 @@ Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures, const Fil
   loader.SetFsCallbacks(files);
   loader.SetImageLoader(takePicture, &reach);
   tinygltf::Model model;
+  reach.model = &model;
   std::string problem, warning;
   const auto size = static_cast<unsigned>(bytes->size());
   const std::string folder = reach.folder.string();
   const bool binary = bytes->starts_with("glTF");
+  if (binary && !chunksEndWithin(*bytes))
+    return refuse(file, "is no glTF file that can be read: its second chunk ends beyond the file");
   bool good = false;
   try {
     good = binary ? loader.LoadBinaryFromMemory(&model, &problem, &warning,
