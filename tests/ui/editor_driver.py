@@ -176,6 +176,15 @@ class Editor:
         """The window as it is on the screen, as PNG."""
         subprocess.run(["import", "-window", self.window, str(file)], env=self.environment, check=True)
 
+    def command(self, name):
+        """By the palette, by a part of its name."""
+        self.key("F3")
+        self.wait_fact("palette", "yes")
+        self.wait_fact("typing", "yes")
+        self.type(name)
+        self.key("Return")
+        self.wait_fact("palette", "no")
+
     def choose_path(self, path):
         """Types a path into the open file dialog and accepts it."""
         self.wait_fact("typing", "yes")  # its name field takes the keyboard by itself

@@ -196,19 +196,10 @@ def check_again(app, folder):
     app.wait_fact("export/again", "no")
 
 
-def run_command(app, name):
-    app.key("F3")
-    app.wait_fact("palette", "yes")
-    app.wait_fact("typing", "yes")
-    app.type(name)
-    app.key("Return")
-    app.wait_fact("palette", "no")
-
-
 def check_live(app, name):
     """Another program sees the wind that the editor shows, as it goes on; the editor's end is told."""
     app.wait_fact("playing", "yes")
-    run_command(app, "live wind on the project")  # however slow the machine
+    app.command("live wind on the project")  # however slow the machine
     show_formats(app, False)
     type_into(app, "export/live_name", name)
     app.press("export/live")

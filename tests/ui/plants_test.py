@@ -53,11 +53,7 @@ def steps(app, count):
 
 
 def add_things(app, folder):
-    app.key("F3")
-    app.wait_fact("palette", "yes")
-    app.wait_fact("typing", "yes")
-    app.type("add collider")
-    app.key("Return")
+    app.command("add collider")
     steps(app, 1)
     check(app.fact("selection").startswith("Collider"), f"what was added must be selected: {app.fact('selection')}")
     app.press("toolbar/species")

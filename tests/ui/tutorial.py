@@ -82,15 +82,6 @@ def give_a_pulse(hands):
     app.wait_fact("selection", "")
 
 
-def command(hands, name):
-    """By a part of its name."""
-    hands.app.key("F3")
-    hands.app.wait_fact("palette", "yes")
-    hands.app.type(name)
-    hands.app.key("Return")
-    hands.app.wait_fact("palette", "no")
-
-
 def watch(hands):
     app = hands.app
     app.key("KP_End")  # the front view, then nearer and a little from above
@@ -107,14 +98,14 @@ def watch(hands):
     hands.play_until(8)
     app.key("space")
     app.wait_fact("playing", "no")
-    command(hands, "full quality")
+    hands.app.command("full quality")
     hands.picture("meadow")
     app.key("6")
     hands.picture("streamlines")
     app.key("6", "9")
     hands.picture("lic")
     app.key("9")
-    command(hands, "full quality")
+    hands.app.command("full quality")
     app.key("space")
     app.wait_fact("playing", "yes")
 

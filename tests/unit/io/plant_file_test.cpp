@@ -210,6 +210,30 @@ TEST_F(PlantFiles, RefusesBrokenPictures) {
   EXPECT_NE(refusal(textured(huge)).find("8192"), std::string::npos);
 }
 
+TEST_F(PlantFiles, RefusesBuffersThatEndTooEarly) {
+  GltfBuilder empty;
+  EXPECT_NE(refusal(empty).find("no glTF file that can be read"), std::string::npos);
+
+  // After 9 floats, 3 indices and 6 floats, each at a multiple of 4, comes the picture: as many bytes, but from later
+  // on.
+  std::string late = textured(picture(8, {1, 2, 3, 255})).glb();
+  const std::size_t offset = late.find(R"("byteOffset": 68)");
+  ASSERT_NE(offset, std::string::npos);
+  late.replace(offset, 16, R"("byteOffset": 99)");
+  const auto beyond = readPlantFile(write(late), MeshUse::Plant);
+  ASSERT_FALSE(beyond.ok());
+  EXPECT_NE(beyond.error().text().find("a picture ends beyond its buffer"), std::string::npos) << beyond.error().text();
+
+  std::string cut = standingTriangle().glb();
+  cut.resize(cut.size() - 8);
+  const auto number = static_cast<std::uint32_t>(cut.size());
+  std::memcpy(cut.data() + 8, &number, sizeof number);  // as the header then says
+  const auto shorter = readPlantFile(write(cut), MeshUse::Plant);
+  ASSERT_FALSE(shorter.ok());
+  EXPECT_NE(shorter.error().text().find("second chunk ends beyond the file"), std::string::npos)
+      << shorter.error().text();
+}
+
 TEST_F(PlantFiles, RefusesMoreTrianglesThanAPlantMayHave) {
   GltfBuilder builder = standingTriangle();
   std::vector<std::uint16_t> many;
