@@ -9,6 +9,8 @@ namespace windloom::editor {
 
 namespace {
 
+constexpr int kLocks = GLFW_MOD_CAPS_LOCK | GLFW_MOD_NUM_LOCK;
+
 /// Keys that edit text: they must not overtake the characters around them.
 bool editsText(int key) {
   switch (key) {
@@ -30,14 +32,22 @@ bool editsText(int key) {
   }
 }
 
+/// Keys that a text field knows by their characters alone, and Shift, which is in them.
+bool onlyWrites(const InputEvent& event) {
+  if (event.kind != InputEvent::Kind::Key || (event.modifiers & ~GLFW_MOD_SHIFT & ~kLocks) != 0) return false;
+  return (event.code >= GLFW_KEY_SPACE && event.code <= GLFW_KEY_WORLD_2) || event.code == GLFW_KEY_LEFT_SHIFT ||
+         event.code == GLFW_KEY_RIGHT_SHIFT;
+}
+
 /// What a frame already holds.
 struct FrameContents {
   bool button = false, wheel = false, text = false, editKey = false, shortcut = false, focus = false;
   unsigned buttons = 0;
   std::vector<int> keys;
 
-  [[nodiscard]] bool takes(const InputEvent& event) const {
+  [[nodiscard]] bool takes(const InputEvent& event, bool typing) const {
     if (focus) return false;
+    if (typing && onlyWrites(event)) return !button && !editKey && !shortcut;
     switch (event.kind) {
       case InputEvent::Kind::MouseMove:
         return !button && !wheel && !text && keys.empty();
@@ -56,7 +66,8 @@ struct FrameContents {
     return true;
   }
 
-  void add(const InputEvent& event) {
+  void add(const InputEvent& event, bool typing) {
+    if (typing && onlyWrites(event)) return;
     switch (event.kind) {
       case InputEvent::Kind::MouseMove:
         break;
@@ -85,13 +96,13 @@ struct FrameContents {
 
 }  // namespace
 
-std::vector<InputEvent> InputQueue::takeFrame(bool holdKeys) {
+std::vector<InputEvent> InputQueue::takeFrame(bool holdKeys, bool typing) {
   std::vector<InputEvent> frame;
   FrameContents contents;
-  while (!m_waiting.empty() && contents.takes(m_waiting.front())) {
+  while (!m_waiting.empty() && contents.takes(m_waiting.front(), typing)) {
     const InputEvent::Kind kind = m_waiting.front().kind;
     if (holdKeys && (kind == InputEvent::Kind::Key || kind == InputEvent::Kind::Text)) break;
-    contents.add(m_waiting.front());
+    contents.add(m_waiting.front(), typing);
     frame.push_back(m_waiting.front());
     m_waiting.pop_front();
   }

@@ -23,8 +23,10 @@ class InputQueue {
   void push(const InputEvent& event) { m_waiting.push_back(event); }
   [[nodiscard]] bool empty() const { return m_waiting.empty(); }
 
-  /// The events of the next frame; with `holdKeys` only those before the first key or text.
-  std::vector<InputEvent> takeFrame(bool holdKeys);
+  /// The events of the next frame; with `holdKeys` only those before the first key or text. With `typing`, where a text
+  /// field has the keyboard, letters come in as many as there are: only their characters count, not their keys, and a
+  /// frame for each would make a slow scene swallow a line by the letter.
+  std::vector<InputEvent> takeFrame(bool holdKeys, bool typing);
 
  private:
   std::deque<InputEvent> m_waiting;

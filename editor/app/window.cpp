@@ -10,8 +10,8 @@
 #include <algorithm>
 
 #include "engine/core/file.hpp"
-#include "engine/io/image.hpp"
 #include "engine/gpu/context.hpp"
+#include "engine/io/image.hpp"
 
 namespace windloom::editor {
 
@@ -225,7 +225,7 @@ void Window::beginFrame(double waitSeconds, bool holdKeys) {
     glfwWaitEventsTimeout(waitSeconds);
   else
     glfwPollEvents();
-  m_events = m_queue.takeFrame(holdKeys);
+  m_events = m_queue.takeFrame(holdKeys, ImGui::GetIO().WantTextInput);
   m_feeder.before(m_window, m_events);
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();

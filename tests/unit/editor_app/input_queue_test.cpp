@@ -4,6 +4,8 @@
 #include <GLFW/glfw3.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace windloom::editor {
 namespace {
 
@@ -23,11 +25,11 @@ InputEvent text(char c) {
 }
 
 /// The kinds of the events of each frame until the queue is empty.
-std::vector<std::vector<Kind>> frames(InputQueue& queue) {
+std::vector<std::vector<Kind>> frames(InputQueue& queue, bool typing = false) {
   std::vector<std::vector<Kind>> all;
   while (!queue.empty()) {
     std::vector<Kind> kinds;
-    for (const InputEvent& event : queue.takeFrame(false)) kinds.push_back(event.kind);
+    for (const InputEvent& event : queue.takeFrame(false, typing)) kinds.push_back(event.kind);
     all.push_back(kinds);
     if (kinds.empty()) break;  // a queue that gives nothing would never end
   }
@@ -44,11 +46,11 @@ TEST(InputQueue, DragWithinOneFrameBeginsWhereItWasPressed) {
   InputQueue queue;
   for (const InputEvent& event : {move(1, 1), button(GLFW_PRESS), move(50, 50), move(90, 90), button(GLFW_RELEASE)})
     queue.push(event);
-  const auto first = queue.takeFrame(false);
+  const auto first = queue.takeFrame(false, false);
   ASSERT_EQ(first.size(), 2u);
   EXPECT_EQ(first[0].x, 1);
   EXPECT_EQ(first[1].action, GLFW_PRESS);
-  const auto second = queue.takeFrame(false);
+  const auto second = queue.takeFrame(false, false);
   ASSERT_EQ(second.size(), 3u);
   EXPECT_EQ(second[1].x, 90);
   EXPECT_EQ(second[2].action, GLFW_RELEASE);
@@ -73,6 +75,36 @@ TEST(InputQueue, TextDoesNotOvertakeTheKeyThatEditsBeforeIt) {
   EXPECT_EQ(frames(queue), (std::vector<std::vector<Kind>>{{Kind::Key}, {Kind::Text}}));
 }
 
+TEST(InputQueue, AWordIsTypedInOneFrame) {
+  InputQueue queue;
+  for (const char letter : {'A', 'a', 'a'}) {
+    const int shift = letter == 'A' ? GLFW_MOD_SHIFT : 0;
+    if (shift) queue.push(key(GLFW_KEY_LEFT_SHIFT, GLFW_PRESS));
+    queue.push(key(GLFW_KEY_A, GLFW_PRESS, shift));
+    queue.push(text(letter));
+    queue.push(key(GLFW_KEY_A, GLFW_RELEASE, shift));
+    if (shift) queue.push(key(GLFW_KEY_LEFT_SHIFT, GLFW_RELEASE, shift));
+  }
+  queue.push(key(GLFW_KEY_ENTER, GLFW_PRESS));
+  queue.push(key(GLFW_KEY_ENTER, GLFW_RELEASE));
+  InputQueue elsewhere = queue;
+  EXPECT_GT(frames(elsewhere).size(), 4u) << "where no text field has the keyboard each press is a shortcut's";
+  const auto typed = frames(queue, true);
+  ASSERT_EQ(typed.size(), 3u);
+  EXPECT_EQ(std::count(typed[0].begin(), typed[0].end(), Kind::Text), 3);
+  EXPECT_EQ(typed[1], std::vector{Kind::Key});
+}
+
+TEST(InputQueue, WhatFollowsAnEditingKeyWaitsWhileTyping) {
+  InputQueue queue;  // Return closes the field, and D is a shortcut then
+  for (const int code : {GLFW_KEY_ENTER, GLFW_KEY_D}) {
+    queue.push(key(code, GLFW_PRESS));
+    queue.push(key(code, GLFW_RELEASE));
+  }
+  EXPECT_EQ(queue.takeFrame(false, true).size(), 1u);
+  EXPECT_EQ(queue.takeFrame(false, false).size(), 2u) << "the release of Return and the press of D";
+}
+
 TEST(InputQueue, ShortcutIsAloneWithItsModifier) {
   InputQueue queue;
   for (const InputEvent& event :
@@ -87,9 +119,9 @@ TEST(InputQueue, ShortcutIsAloneWithItsModifier) {
 TEST(InputQueue, HoldsKeysWhileTheFieldForThemIsNotThere) {
   InputQueue queue;
   for (const InputEvent& event : {move(3, 3), key(GLFW_KEY_D, GLFW_PRESS), text('d')}) queue.push(event);
-  EXPECT_EQ(queue.takeFrame(true).size(), 1u);
-  EXPECT_TRUE(queue.takeFrame(true).empty());
-  EXPECT_EQ(queue.takeFrame(false).size(), 2u);
+  EXPECT_EQ(queue.takeFrame(true, false).size(), 1u);
+  EXPECT_TRUE(queue.takeFrame(true, false).empty());
+  EXPECT_EQ(queue.takeFrame(false, false).size(), 2u);
 }
 
 TEST(InputQueue, LossOfFocusComesBeforeTheReleasesItCauses) {
