@@ -1,38 +1,20 @@
 // How the program itself is doing, for window tests that run for long: what must not grow, and what must stay zero.
 
-#include <malloc.h>
-
 #include <algorithm>
 #include <string>
 
 #include "editor/app/app.hpp"
+#include "engine/core/heap.hpp"
 #include "engine/core/text.hpp"
 #include "engine/gpu/memory.hpp"
 
 namespace windloom::editor {
 
-namespace {
-
-/// Bytes that the program asked for and did not give back, whatever the allocator keeps beside them; 0 where the C
-/// library doesn't tell.
-std::size_t heapBytes() {
-#if defined(__GLIBC__) && (__GLIBC__ > 2 || __GLIBC_MINOR__ >= 33)
-  const struct mallinfo2 info = mallinfo2();
-  return info.uordblks + info.hblkhd;
-#else
-  return 0;
-#endif
-}
-
-}  // namespace
-
 void App::giveMemoryBack() {
   m_trimAtS = 0;
-#if defined(__GLIBC__)
   // A large project leaves holes between small blocks that stay: without this the process keeps what the largest one
   // took.
-  malloc_trim(0);
-#endif
+  giveHeapBack();
 }
 
 void App::tellHealth(double seconds) {
@@ -47,7 +29,7 @@ void App::tellHealth(double seconds) {
   map.fact("health.cells reset", session ? std::to_string(session->status().wind.nonFiniteCells) : "");
   // Walks through all free blocks: not in every frame.
   constexpr int kEvery = 30;
-  if (m_frames % kEvery == 0) m_heapBytes = heapBytes();
+  if (m_frames % kEvery == 0) m_heapBytes = heapBytesInUse();
   map.fact("health.heap bytes", std::to_string(m_heapBytes));
   for (const auto& [label, bytes] : gpu::bytesByLabel()) map.fact("gpu." + label, std::to_string(bytes));
 }

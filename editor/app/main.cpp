@@ -5,6 +5,7 @@
 #include "editor/app/user_folders.hpp"
 #include "editor/app/window.hpp"
 #include "editor/core/log_file.hpp"
+#include "engine/core/heap.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/memory_reserve.hpp"
 #include "engine/core/process.hpp"
@@ -14,6 +15,7 @@ namespace {
 int run(int argc, char** argv) {
   using namespace windloom;
   prepareProcess();
+  keepHeapTight();
   keepMemoryReserve();
   int exitStatus = 0;
   const auto line = editor::parseCommandLine(argc, argv, exitStatus);

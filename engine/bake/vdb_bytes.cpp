@@ -3,6 +3,7 @@
 #include <openvdb/io/Archive.h>
 #include <openvdb/io/Compression.h>
 #include <openvdb/openvdb.h>
+#include <tbb/task_arena.h>
 
 #include <exception>
 #include <sstream>
@@ -57,21 +58,26 @@ void makeRepeatable(std::string& bytes) {
   bytes.replace(kAt, kLength, id);
 }
 
+std::string written(const VdbBlock& block) {
+  openvdb::initialize();
+  std::ostringstream stream(std::ios_base::binary);
+  StreamArchive archive;
+  archive.setCompression(
+      openvdb::io::COMPRESS_ACTIVE_MASK |
+      (openvdb::io::Archive::hasBloscCompression() ? openvdb::io::COMPRESS_BLOSC : openvdb::io::COMPRESS_ZIP));
+  archive.write(stream, openvdb::GridCPtrVec{gridOf(block)}, true);
+  std::string bytes = std::move(stream).str();
+  makeRepeatable(bytes);
+  return bytes;
+}
+
 }  // namespace
 
 Result<std::string> vdbBytes(const VdbBlock& block) {
   // The library reports by exceptions; none may leave this room.
   try {
-    openvdb::initialize();
-    std::ostringstream stream(std::ios_base::binary);
-    StreamArchive archive;
-    archive.setCompression(
-        openvdb::io::COMPRESS_ACTIVE_MASK |
-        (openvdb::io::Archive::hasBloscCompression() ? openvdb::io::COMPRESS_BLOSC : openvdb::io::COMPRESS_ZIP));
-    archive.write(stream, openvdb::GridCPtrVec{gridOf(block)}, true);
-    std::string bytes = std::move(stream).str();
-    makeRepeatable(bytes);
-    return bytes;
+    // On the caller's thread alone: frames are written side by side as it is.
+    return tbb::task_arena(1).execute([&] { return written(block); });
   } catch (const std::exception& failure) {
     return makeError(ErrorKind::Machine, std::string("OpenVDB can't write this volume: ") + failure.what());
   }

@@ -127,16 +127,30 @@ class Endurance:
         self.saves += 1
         return path.read_bytes()
 
-    def walk_history(self, key, done):
+    def walk_history(self, key, end):
+        """To a step, by no more presses than lead there: there may be steps behind it that were undone before."""
         def there():
             at = self.app.fact("steps")
-            if done(int(at)):
+            if int(at) == end:
                 return True
-            self.app.key(*[key] * 10)
+            self.app.key(*[key] * min(10, abs(end - int(at))))
             self.app.wait("the history to move", lambda: self.app.fact("steps") != at, acts.FRAME_PATIENCE_S)
+            self.app.wait("the history to rest", self.rests("steps"), acts.FRAME_PATIENCE_S)
             return False
 
-        self.app.wait(f"{key} to its end", there, acts.FRAME_PATIENCE_S)
+        self.app.wait(f"{key} to step {end}", there, acts.FRAME_PATIENCE_S)
+
+    def rests(self, name):
+        """Whether a fact is the same for some frames."""
+        seen = []
+
+        def same():
+            facts = self.app.read_map()[0]
+            if not seen or seen[-1][0] != facts[name]:
+                seen.append((facts[name], int(facts["frame"])))
+            return int(facts["frame"]) >= seen[-1][1] + 8
+
+        return same
 
     def round_trip(self, path, first):
         """Undoing everything gives the first bytes, redoing everything the last."""
@@ -145,9 +159,9 @@ class Endurance:
         steps = int(self.app.fact("steps"))
         if steps == 0:
             return
-        self.walk_history("ctrl+z", lambda at: at == 0)
+        self.walk_history("ctrl+z", 0)
         check(self.save(path) == first, f"undoing {steps} steps in {path.name} doesn't give the first bytes")
-        self.walk_history("ctrl+shift+z", lambda at: at == steps)
+        self.walk_history("ctrl+shift+z", steps)
         check(self.save(path) == last, f"redoing {steps} steps in {path.name} doesn't give the last bytes")
         self.round_trips += 1
         self.look("undoing and doing again everything")
@@ -160,6 +174,7 @@ class Endurance:
         facts = self.app.read_map()[0]
         if facts.get("status.live"):
             acts.live_link(self.hands("rest"))
+        acts.end_export(self.hands("rest"))
         self.app.xdotool("windowsize", self.app.window, *WINDOW)
         keys = {"arrows": "5", "streamlines": "6", "speed": "7", "divergence": "8", "lic": "9"}
         for name in facts["overlays"].split():

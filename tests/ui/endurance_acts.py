@@ -307,11 +307,22 @@ def export(hands):
     if not hands.press("export/start"):
         return
     hands.frames(hands.dice.randint(2, 12))
-    for _ in range(60):
-        if hands.app.fact("export.running") != "yes":
-            break
+    end_export(hands)
+
+
+def end_export(hands):
+    """Also one that was begun again by itself after an edit."""
+    hands.app.key("Escape", "ctrl+shift+e")
+    hands.app.wait("the export's panel", lambda: hands.app.fact("export.running") != "", FRAME_PATIENCE_S)
+
+    def over():
+        if hands.app.fact("export.running") == "no":
+            return True
         hands.press("export/cancel")
         hands.frames(2)
+        return False
+
+    hands.app.wait("the export to end", over, FRAME_PATIENCE_S)
 
 
 def live_link(hands):
