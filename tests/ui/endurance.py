@@ -171,11 +171,13 @@ class Endurance:
     def rest(self):
         """The state in which memory is compared: window, look, overlays, project, no export and no link."""
         self.tidy("the acts")
+        self.open(self.reference)  # also as its frames are quick: a slow one may swallow what follows
         facts = self.app.read_map()[0]
         if facts.get("status.live"):
             acts.live_link(self.hands("rest"))
-        acts.end_export(self.hands("rest"))
         self.app.xdotool("windowsize", self.app.window, *WINDOW)
+        self.hands("rest").frames(3)
+        acts.end_export(self.hands("rest"))
         keys = {"arrows": "5", "streamlines": "6", "speed": "7", "divergence": "8", "lic": "9"}
         for name in facts["overlays"].split():
             if name in keys:
@@ -187,9 +189,8 @@ class Endurance:
         self.app.key("q")
         if facts["loop"] != "off":
             self.app.key("shift+l")
-        # Twice, and every kind of grass in between: the driver holds on to buffers of the project before until others take
-        # their places.
-        self.open(self.reference)
+        # Every kind of grass is drawn, then it is opened again: the driver holds on to buffers of the project before until
+        # others take their places.
         for key in acts.KINDS_OF_GRASS:
             self.app.key(key)
             acts.Hands(self.app, random.Random(0)).frames(3)

@@ -307,22 +307,28 @@ def export(hands):
     if not hands.press("export/start"):
         return
     hands.frames(hands.dice.randint(2, 12))
-    end_export(hands)
+    cancel_export(hands)
 
 
-def end_export(hands):
-    """Also one that was begun again by itself after an edit."""
-    hands.app.key("Escape", "ctrl+shift+e")
-    hands.app.wait("the export's panel", lambda: hands.app.fact("export.running") != "", FRAME_PATIENCE_S)
-
+def cancel_export(hands):
     def over():
-        if hands.app.fact("export.running") == "no":
+        if hands.app.fact("export.running") != "yes":
             return True
         hands.press("export/cancel")
         hands.frames(2)
         return False
 
     hands.app.wait("the export to end", over, FRAME_PATIENCE_S)
+
+
+def end_export(hands):
+    """None runs, and none begins again by itself after an edit."""
+    hands.app.key("Escape", "ctrl+shift+e")
+    hands.app.wait("the export's panel", lambda: hands.app.fact("export/again") != "", FRAME_PATIENCE_S)
+    if hands.app.fact("export/again") == "yes":
+        hands.app.press("export/again")
+        hands.app.wait_fact("export/again", "no")
+    cancel_export(hands)
 
 
 def live_link(hands):
