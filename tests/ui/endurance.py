@@ -5,8 +5,8 @@ everything the last, that the window answers, and that memory, looked at in one 
 
 usage: endurance.py WINDLOOM_EDITOR WINDLOOM SECONDS [SEED] [--samples FILE.csv] [--keep FOLDER]
 First every project is opened once with every kind of grass, so that what is made once and kept is there (a short run opens
-two). Then the first tenth of the time, ten minutes at most, is for caches to fill; after it resident memory, heap and OpenGL's memory
-may grow by 5%. A run of under five minutes is too short for that, as the driver still compiles what is used for the first
+two). Then the first ten minutes, of a shorter run its first half, are for caches to fill; after them resident memory, heap and OpenGL's
+memory may grow by 5%. A run of under five minutes is too short for that, as the driver still compiles what is used for the first
 time: of it only OpenGL's memory is judged, as the program counts it.
 """
 import argparse
@@ -214,9 +214,9 @@ class Endurance:
         print(" ".join(f"{name}={value}" for name, value in self.samples[-1].items()), self.changed_labels() or "", flush=True)
 
     def growth(self, name):
-        """Of what is used at the end over what was used after the first tenth: medians of some samples each, as one may have
+        """Of what is used at the end over what was used once caches were full: medians of some samples each, as one may have
         met the machine at another moment."""
-        settled = [sample[name] for sample in self.samples if sample["seconds"] >= min(self.seconds / 10, 600)]
+        settled = [sample[name] for sample in self.samples if sample["seconds"] >= min(self.seconds / 2, 600)]
         settled = settled if len(settled) > 1 else [sample[name] for sample in self.samples]
         few = max(1, len(settled) // 4)
         return statistics.median(settled[-few:]) / statistics.median(settled[:few]) - 1
