@@ -112,7 +112,8 @@ class Baker {
     const std::vector<glm::vec2>& air = simulation.velocity();
     const std::string start = std::to_string(simulation.steps()) + ":" +
                               sha256({reinterpret_cast<const char*>(air.data()), air.size() * sizeof air[0]});
-    m_plan = planKey(simulation.project(), simulation.solver().backend(), request, m_header, start).substr(0, 16);
+    m_plan =
+        planKey(simulation.project(), simulation.solver().backend(), request, m_header, start).substr(0, kPlanDigits);
   }
 
   Status run() {
@@ -206,6 +207,8 @@ class Baker {
     const bool again = planOfManifest(m_request.folder) == m_plan;
     const fs::path target = again ? m_request.folder : parts;
     if (Status made = makeFolder(target); !made) return made;
+    if (!again && !isRealFolder(parts))
+      return makeError(ErrorKind::Machine, parts.string(), {}, "is a link, expected a folder: move it away");
     for (const std::vector<Json>& group : groups) {
       for (const Json& entry : group) {
         const std::string name = entry["path"];

@@ -6,6 +6,7 @@
 
 #include "engine/bake/bake.hpp"
 #include "engine/bake/manifest.hpp"
+#include "engine/bake/work_folder.hpp"
 #include "engine/core/file.hpp"
 #include "engine/io/json_document.hpp"
 
@@ -32,15 +33,33 @@ float speedIn(const Json& note, const char* key) {
   return std::isfinite(speed) ? speed : -1.0f;
 }
 
+bool isTiles(const Json& tiles) {
+  return tiles.is_array() && tiles.size() == 2 && std::ranges::all_of(tiles, [](const Json& n) {
+           return n.is_number_integer() && n >= 1 && n <= kMaxBakeFrames;
+         });
+}
+
+/// Settings for an engine's importer, which become lines of a text: KEY=VALUE.
+bool isImport(const Json& settings) {
+  if (!settings.is_object()) return false;
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyz0123456789_/";
+  for (const auto& [key, value] : settings.items()) {
+    if (key.empty() || key.find_first_not_of(allowed) != key.npos || value.is_structured()) return false;
+  }
+  return true;
+}
+
 /// What is taken from an entry later on; its file lies in the parts' own folder, never elsewhere.
 bool isEntry(const Json& entry) {
   if (!entry.is_object()) return false;
+  // Each is a plain word, so that none means something in the texts that are made of them.
   for (const char* key : {"path", "role", "encoding"}) {
     const auto text = entry.find(key);
-    if (text == entry.end() || !text->is_string()) return false;
+    if (text == entry.end() || !text->is_string() || !isPlainName(text->get_ref<const std::string&>())) return false;
   }
-  return isPlainName(entry["path"].get_ref<const std::string&>()) &&
-         (!entry.contains("frame") || frameIn(entry, "frame") >= 0);
+  const auto holds = [&](const char* key, auto test) { return !entry.contains(key) || test(entry[key]); };
+  return holds("frame", [&](const Json&) { return frameIn(entry, "frame") >= 0; }) && holds("tiles", isTiles) &&
+         holds("import", isImport) && holds("strength", [](const Json& value) { return value.is_number(); });
 }
 
 /// Nothing where it is not a note of ours: its frames count as missing.
@@ -73,12 +92,13 @@ Status writePart(const fs::path& parts, const BakePart& part) {
   return writeFileAtomically(parts / name, note.dump());
 }
 
-/// A part whose files were lost, or moved out by a bake that was killed then, counts as missing.
+/// A part whose files were lost, or moved out by a bake that was killed then, counts as missing. Links don't count.
 bool hasAllFiles(const fs::path& parts, const BakePart& part) {
   std::error_code ec;
   for (const std::vector<Json>& group : part.groups) {
     for (const Json& entry : group) {
-      if (!fs::exists(parts / entry["path"].get_ref<const std::string&>(), ec)) return false;
+      const fs::path file = parts / entry["path"].get_ref<const std::string&>();
+      if (!fs::is_regular_file(fs::symlink_status(file, ec))) return false;
     }
   }
   return true;
@@ -87,6 +107,7 @@ bool hasAllFiles(const fs::path& parts, const BakePart& part) {
 std::vector<BakePart> readParts(const fs::path& parts) {
   std::vector<BakePart> found;
   std::error_code ec;
+  if (!isRealFolder(parts)) return found;
   for (const fs::directory_entry& entry : fs::directory_iterator(parts, ec)) {
     if (!entry.path().filename().string().starts_with(kNote)) continue;
     const Result<std::string> text = readFile(entry.path(), kMaxManifestBytes);

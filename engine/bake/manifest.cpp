@@ -1,6 +1,7 @@
 #include "engine/bake/manifest.hpp"
 
 #include <algorithm>
+#include <unordered_set>
 
 #include "engine/bake/response.hpp"
 #include "engine/bake/target_frame.hpp"
@@ -154,14 +155,18 @@ std::string manifestText(const ManifestFacts& facts, const Project& project, Bac
 }
 
 bool isPlainName(std::string_view name) {
-  return !name.empty() && name != "." && name != ".." && name.find_first_of("/\\") == name.npos;
+  constexpr std::string_view allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789.-_";
+  return !name.empty() && name.front() != '.' && name.size() <= 255 && name.find_first_not_of(allowed) == name.npos;
 }
 
 std::string planOfManifest(const std::filesystem::path& folder) {
   const Result<std::string> text = readFile(folder / "manifest.json", kMaxManifestBytes);
   if (!text) return {};
   const Result<Json> manifest = parseJsonDocument(*text, {});
-  return manifest && manifest->is_object() ? textOf(*manifest, "plan") : std::string();
+  const std::string plan = manifest && manifest->is_object() ? textOf(*manifest, "plan") : std::string();
+  // It becomes part of the name of a folder that is removed.
+  const bool digits = plan.size() == kPlanDigits && plan.find_first_not_of("0123456789abcdef") == plan.npos;
+  return digits ? plan : std::string();
 }
 
 Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& folder) {
@@ -177,9 +182,10 @@ Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& fol
     return makeError(ErrorKind::BadInput, path.string(), {},
                      "is not the manifest of a bake; bake into another folder or move it away");
   }
+  std::unordered_set<std::string> names;
   for (const Json& entry : manifest["files"]) {
     if (!entry.is_object()) continue;
-    if (std::string name = textOf(entry, "path"); isPlainName(name))
+    if (std::string name = textOf(entry, "path"); isPlainName(name) && names.insert(name).second)
       files.push_back({std::move(name), textOf(entry, "sha256")});
   }
   return files;

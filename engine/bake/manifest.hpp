@@ -34,20 +34,24 @@ struct ManifestFacts {
 std::string manifestText(const ManifestFacts& facts, const Project& project, Backend backend,
                          std::span<const nlohmann::ordered_json> files);
 
-/// A name of a file and nothing else: no folder, not "." or "..". Only such are taken from files that are read back.
+/// A name as bakes give to files: letters, digits, '.', '-' and '_', at most 255, not hidden; never a path. Only such
+/// are taken from files that are read back, as what comes with a folder may be anybody's.
 bool isPlainName(std::string_view name);
 
 /// Of a manifest, and of the note of a part, that is read back: 100 000 frames in ten formats are about 200 MB.
 inline constexpr std::uint64_t kMaxManifestBytes = 256ull << 20;
 
-/// The plan of the bake in `folder`; empty where there is none.
+/// Names the plan of a bake: lower-case hexadecimal digits.
+inline constexpr std::size_t kPlanDigits = 16;
+
+/// The plan of the bake in `folder`; empty where there is none, or something else in its place.
 std::string planOfManifest(const std::filesystem::path& folder);
 
 struct ListedFile {
   std::string path, sha256;
 };
 
-/// The files that the manifest in `folder` lists; empty where there is none. Only plain names, never paths. Fails with
+/// The files that the manifest in `folder` lists, each once; empty where there is none. Only plain names. Fails with
 /// BadInput where a manifest.json lies there that isn't of a bake.
 Result<std::vector<ListedFile>> filesOfManifest(const std::filesystem::path& folder);
 

@@ -91,6 +91,11 @@ Status syncFiles(const fs::path& folder) {
   return makeError(ErrorKind::Machine, folder.string(), {}, std::string("can't write: ") + std::strerror(code));
 }
 
+bool isRealFolder(const fs::path& path) {
+  std::error_code ec;
+  return fs::is_directory(fs::symlink_status(path, ec));
+}
+
 MadeFolders::MadeFolders(const fs::path& folder) {
   std::error_code ec;
   for (fs::path path = fs::absolute(folder, ec); !path.empty() && !fs::exists(path, ec); path = path.parent_path())
@@ -130,7 +135,8 @@ Result<FolderLock> FolderLock::take(const fs::path& folder, const std::function<
   int code = descriptor < 0 ? errno : lockWaiting(descriptor, keepWaiting);
   if (descriptor >= 0 && meansNoLocks(code)) {
     ::close(descriptor);
-    descriptor = ::open((folder / ".bake.windloom.lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, newFileMode());
+    constexpr int how = O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
+    descriptor = ::open((folder / ".bake.windloom.lock").c_str(), how, newFileMode());
     code = descriptor < 0 ? errno : lockWaiting(descriptor, keepWaiting);
     if (descriptor >= 0 && meansNoLocks(code)) {
       logWarning(folder.string() + " can't be locked here: only one bake at a time may write into it");

@@ -35,6 +35,9 @@ std::vector<WorkFolder> leftWorkFolders(const std::filesystem::path& parent);
 /// Fails with Machine (the disk is full or broken).
 Status syncFiles(const std::filesystem::path& folder);
 
+/// A folder and not a link to one: behind a link lies what isn't of the bake.
+bool isRealFolder(const std::filesystem::path& path);
+
 /// Remembers which parents of a folder, and the folder, weren't there; when it goes, removes those that are empty. So a
 /// bake that fails leaves no empty folders.
 class MadeFolders {

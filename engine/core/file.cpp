@@ -27,7 +27,8 @@ struct Descriptor {
 
 }  // namespace
 
-Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
+Status readFileInPieces(const fs::path& path, const std::function<void(std::string_view)>& use,
+                        std::uint64_t limitBytes) {
   const auto bad = [&](std::string what) { return makeError(ErrorKind::BadInput, path.string(), {}, std::move(what)); };
   const auto tooLarge = [&] { return bad("is larger than the limit of " + std::to_string(limitBytes) + " bytes"); };
   // Not blocking: opening a pipe would wait for who never writes to it, and reading a device may never end.
@@ -42,18 +43,28 @@ Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
   if (S_ISDIR(info.st_mode)) return bad("is a folder, expected a file");
   if (!S_ISREG(info.st_mode)) return bad("is a pipe or a device, expected a file");
   if (static_cast<std::uint64_t>(info.st_size) > limitBytes) return tooLarge();
-  std::string bytes;
-  bytes.reserve(static_cast<std::size_t>(info.st_size));
   char chunk[1 << 16];
-  for (;;) {
+  for (std::uint64_t total = 0;;) {
     const ssize_t n = ::read(d.fd, chunk, sizeof chunk);
     if (n < 0 && errno == EINTR) continue;
     if (n < 0) return ioError(path, "read", errno);
-    if (n == 0) return bytes;
+    if (n == 0) return Done{};
     // It may have grown, and files of /proc say that they are empty.
-    if (bytes.size() + static_cast<std::size_t>(n) > limitBytes) return tooLarge();
-    bytes.append(chunk, static_cast<std::size_t>(n));
+    total += static_cast<std::uint64_t>(n);
+    if (total > limitBytes) return tooLarge();
+    use({chunk, static_cast<std::size_t>(n)});
   }
+}
+
+Result<std::string> readFile(const fs::path& path, std::uint64_t limitBytes) {
+  std::string bytes;
+  std::error_code unknown;
+  if (const std::uint64_t size = fs::file_size(path, unknown); !unknown && size <= limitBytes) bytes.reserve(size);
+  if (Status read = readFileInPieces(
+          path, [&](std::string_view piece) { bytes += piece; }, limitBytes);
+      !read)
+    return read.error();
+  return bytes;
 }
 
 unsigned newFileMode() {

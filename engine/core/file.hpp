@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 
@@ -10,9 +11,13 @@
 
 namespace windloom {
 
-/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path is missing, is a folder,
-/// pipe, device or socket (none is waited for), or is larger than `limitBytes`, seen before memory is taken.
+/// The bytes of a regular file. Fails with Machine for I/O trouble and with BadInput where the path is missing, is a
+/// folder, pipe, device or socket (none is waited for), or is larger than `limitBytes`, seen before memory is taken.
 Result<std::string> readFile(const std::filesystem::path& path, std::uint64_t limitBytes = 256ull << 20);
+
+/// The same, handed on in pieces, for files of any size.
+Status readFileInPieces(const std::filesystem::path& path, const std::function<void(std::string_view)>& use,
+                        std::uint64_t limitBytes = UINT64_MAX);
 
 enum class Backup { None, KeepOne };
 

@@ -2,11 +2,10 @@
 
 #include <openssl/evp.h>
 
-#include <fstream>
 #include <memory>
-#include <vector>
 
 #include "engine/core/contract.hpp"
+#include "engine/core/file.hpp"
 
 namespace windloom {
 namespace {
@@ -43,14 +42,9 @@ std::string sha256(std::string_view bytes) {
 }
 
 Result<std::string> sha256OfFile(const std::filesystem::path& path) {
-  std::ifstream in(path, std::ios::binary);
-  std::vector<char> chunk(1 << 20);
   Sha256 hash;
-  while (in) {
-    in.read(chunk.data(), static_cast<std::streamsize>(chunk.size()));
-    hash.add({chunk.data(), static_cast<std::size_t>(in.gcount())});
-  }
-  if (!in.eof()) return makeError(ErrorKind::Machine, path.string(), {}, "can't read");
+  if (Status read = readFileInPieces(path, [&](std::string_view piece) { hash.add(piece); }); !read)
+    return makeError(ErrorKind::Machine, path.string(), {}, read.error().problems.front().message);
   return hash.finish();
 }
 

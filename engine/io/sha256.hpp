@@ -12,7 +12,7 @@ namespace windloom {
 /// The digest as 64 lower-case hexadecimal digits.
 std::string sha256(std::string_view bytes);
 
-/// Of a whole file, read piece by piece. Fails with Machine.
+/// Of a whole file, read piece by piece. Fails with Machine; pipes and devices are not waited for.
 Result<std::string> sha256OfFile(const std::filesystem::path& path);
 
 }  // namespace windloom

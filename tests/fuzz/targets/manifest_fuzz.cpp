@@ -29,9 +29,10 @@ void checkPart(const BakePart& part) {
 }
 
 const fuzz::JsonWords& words() {
-  static const fuzz::JsonWords kWords{{"format", "files", "path", "sha256", "plan", "first", "last", "fastest", "seam",
-                                       "step", "groups", "frame", "role", "encoding", "bytes"},
-                                      {"windpack", "f0.bin", "f1.bin", "..", "a/b", "field", "flow", "float16"}};
+  static const fuzz::JsonWords kWords{
+      {"format", "files", "path", "sha256", "plan", "first", "last", "fastest", "seam", "step", "groups", "frame",
+       "role", "encoding", "bytes", "tiles", "import", "strength"},
+      {"windpack", "f0.bin", "f1.bin", "..", "a/b", "field", "flow", "float16"}};
   return kWords;
 }
 
@@ -43,7 +44,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   require(kFilesAreThere, "files of a part");
   const std::string_view bytes = fuzz::asText(data, size);
   folder.put("manifest.json", bytes);
-  static_cast<void>(planOfManifest(folder.path()));
+  if (const std::string plan = planOfManifest(folder.path()); !plan.empty())
+    require(plan.size() == kPlanDigits && isPlainName(plan), "a plan is digits");
   if (const Result<std::vector<ListedFile>> files = filesOfManifest(folder.path())) {
     for (const ListedFile& file : *files) checkPlain(file.path);
   }

@@ -89,10 +89,31 @@ TEST(BakeParts, AreMissingWhereTheirNoteNamesFilesElsewhereOrNonsense) {
   for (const char* bad : {R"([[{"path": "../0", "role": "field", "encoding": "float16"}]])",
                           R"([[{"path": "/etc/hostname", "role": "a", "encoding": "b"}]])", R"([[{"path": "0"}]])",
                           R"([["0"]])", R"([{"path": "0"}])", R"("groups")",
-                          R"([[{"path": "0", "role": "field", "encoding": "float16", "frame": "first"}]])"}) {
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "frame": "first"}]])",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "tiles": "abc"}]])",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "tiles": [0, 1]}]])",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "strength": "1"}]])",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "import": {"a\n[b]": 1}}]])",
+                          R"([[{"path": "0", "role": "field", "encoding": "float16", "import": {"a": [1]}}]])",
+                          R"([[{"path": "\")+f()+(\"", "role": "field", "encoding": "float16"}]])"}) {
     EXPECT_EQ(partsWith(numbers, bad), 0u) << bad;
   }
   EXPECT_EQ(partsWith(numbers, std::string(100'000, '[')), 0u) << "nested too deep";
+}
+
+TEST(BakeParts, BehindLinksAreMissing) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const fs::path parts = folder.path() / ".parts-0123456789abcdef";
+  fs::create_directory(parts);
+  ASSERT_TRUE(writePart(parts, partOf(0, 0)));
+  ASSERT_TRUE(writeFileAtomically(parts / "0", "a frame"));
+  EXPECT_EQ(readParts(parts).size(), 1u);
+  fs::create_directory_symlink(parts, folder.path() / "link");
+  EXPECT_TRUE(readParts(folder.path() / "link").empty());
+  fs::rename(parts / "0", folder.path() / "elsewhere");
+  fs::create_symlink("../elsewhere", parts / "0");
+  EXPECT_TRUE(readParts(parts).empty());
 }
 
 TEST(Seam, IsTheStepFromTheLastFrameToTheFirst) {

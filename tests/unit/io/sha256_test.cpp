@@ -1,6 +1,7 @@
 #include "engine/io/sha256.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include "engine/core/file.hpp"
 #include "tests/temporary_folder.hpp"
@@ -30,6 +31,13 @@ TEST(Sha256, SaysWhichFileCannotBeRead) {
   const Result<std::string> digest = sha256OfFile("no-such-file");
   ASSERT_FALSE(digest);
   EXPECT_EQ(digest.error().kind, ErrorKind::Machine);
+}
+
+TEST(Sha256, WaitsForNoPipe) {
+  const TemporaryFolder folder;
+  ASSERT_EQ(::mkfifo((folder.path() / "pipe").c_str(), 0600), 0);
+  EXPECT_FALSE(sha256OfFile(folder.path() / "pipe"));
+  EXPECT_FALSE(sha256OfFile("/dev/zero"));
 }
 
 }  // namespace windloom
