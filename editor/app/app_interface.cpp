@@ -163,6 +163,8 @@ void App::drawAbout() {
     ImGui::PopFont();
     ImGui::TextUnformatted("Draw wind, see grass answer, export it for games.");
     ImGui::TextDisabled("MIT license. Graphics: %s", m_live->facts().gpu.c_str());
+    if (ImGui::IsWindowFocused() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+      m_aboutOpen = false;
   }
   ImGui::End();
 }

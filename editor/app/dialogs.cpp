@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 #include <initializer_list>
+#include <vector>
 
 #include "editor/core/kept_files.hpp"
 #include "editor/widgets/icons.hpp"
@@ -100,8 +101,11 @@ void Dialogs::drawSaveChanges() {
 void Dialogs::drawOverwrite() {
   if (!beginBox("Replace the file?", "overwrite")) return;
   wrapped(m_workspace.flow.pendingPath().string() + " exists already.");
-  const int chosen = buttonRow({"Replace", "Another name"});
-  if (chosen >= 0) m_workspace.flow.answerOverwrite(chosen == 0);
+  const int chosen = buttonRow({"Another name", "Replace", "Cancel"});
+  if (chosen == 2)
+    m_workspace.flow.cancel();
+  else if (chosen >= 0)
+    m_workspace.flow.answerOverwrite(chosen == 1);
   ImGui::EndPopup();
 }
 
@@ -134,10 +138,12 @@ void Dialogs::drawOutside() {
     files += problem.pointer + ": " + problem.message + "\n";
   look().map.fact("dialog.text", files);
   wrapped(files);
+  std::error_code ignored;
   wrapped(
       "The project is shown without them, and keeps their names. A project can come from anyone: allow this only for "
       "one that you trust. It is remembered for the folder " +
-      m_workspace.document.path().parent_path().string() + " and can be taken back in the File menu.");
+      std::filesystem::absolute(m_workspace.document.path(), ignored).parent_path().string() +
+      " and can be taken back in the File menu.");
   const int chosen = buttonRow({"Leave them out", "Read them"}, 0);
   if (chosen >= 0) m_workspace.flow.answerOutside(chosen == 1);
   ImGui::EndPopup();
@@ -157,44 +163,63 @@ void Dialogs::drawRescue() {
     }
     look().map.fact("dialog.text", all);
   }
-  bool handled = false;
-  switch (buttonRow({"Restore", "Discard", m_showChanges ? "Later" : "Show what changed"})) {
+  if (m_discarding)
+    confirmDiscard();
+  else
+    askAboutRescue();
+  ImGui::EndPopup();
+}
+
+void Dialogs::askAboutRescue() {
+  const Rescue& rescue = m_rescues.front();
+  switch (buttonRow({"Restore", "Show what changed", "Discard", "Later"})) {
     case 0:
       if (const Status status =
               restoreRescue(m_workspace.document, rescue, m_workspace.preferences.outsideFor(rescue.original));
           !status)
         showError(status.error().text());
-      handled = true;
+      nextRescue();
       break;
     case 1:
-      discardRescue(rescue);
-      handled = true;
+      m_rescueChanges = describeRescue(rescue);
+      m_showChanges = true;
       break;
     case 2:
-      if (m_showChanges) {
-        m_rescues.clear();
-      } else {
-        m_rescueChanges = describeRescue(rescue);
-        m_showChanges = true;
-      }
+      m_discarding = true;
+      break;
+    case 3:
+      m_rescues.clear();
       break;
     default:
       break;
   }
-  if (handled) {
-    m_rescues.erase(m_rescues.begin());
-    m_showChanges = false;
+}
+
+void Dialogs::confirmDiscard() {
+  wrapped("Discard it? Nothing brings it back.");
+  const int chosen = buttonRow({"Keep it", "Discard for good"}, 0);
+  if (chosen == 1) {
+    discardRescue(m_rescues.front());
+    nextRescue();
   }
-  ImGui::EndPopup();
+  if (chosen >= 0) m_discarding = false;
+}
+
+void Dialogs::nextRescue() {
+  m_rescues.erase(m_rescues.begin());
+  m_showChanges = false;
 }
 
 std::filesystem::path Dialogs::startFolder() const {
   const bool saving = m_workspace.flow.prompt() == Prompt::ChooseSavePath;
-  if (const char* home = std::getenv("HOME"); saving && home && !whyKept(m_workspace.document.path()).empty())
-    return std::filesystem::path(home) / "";
-  if (!m_workspace.document.path().empty()) return m_workspace.document.path().parent_path() / "";
-  const auto& recent = m_workspace.preferences.recentFiles;
-  if (!recent.empty()) return std::filesystem::path(recent.front()).parent_path() / "";
+  std::vector<std::filesystem::path> used = {m_workspace.document.path()};
+  for (const std::string& file : m_workspace.preferences.recentFiles) used.emplace_back(file);
+  for (const std::filesystem::path& file : used) {
+    // Samples are opened from where nothing is saved to.
+    if (!file.empty() && (!saving || whyKept(file).empty())) return file.parent_path() / "";
+  }
+  const char* home = std::getenv("HOME");
+  if (saving && home) return std::filesystem::path(home) / "";
   std::error_code ignored;
   return std::filesystem::current_path(ignored) / "";
 }

@@ -28,6 +28,9 @@ class Dialogs {
   void drawSaveChanges();
   void drawOverwrite();
   void drawRescue();
+  void askAboutRescue();
+  void confirmDiscard();
+  void nextRescue();
   void drawChanged();
   void drawStopWork();
   void drawOutside();
@@ -41,6 +44,7 @@ class Dialogs {
   std::vector<Rescue> m_rescues;
   std::vector<std::string> m_rescueChanges;
   bool m_showChanges = false;
+  bool m_discarding = false;  // asked whether really
 };
 
 }  // namespace windloom::editor

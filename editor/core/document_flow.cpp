@@ -83,6 +83,7 @@ void DocumentFlow::proceed() {
   } else if (then == Then::New) {
     m_document.startNew(std::exchange(m_start, Project{}));
     if (onReplaced) onReplaced();
+    if (onDone) onDone("New project");
   } else if (then == Then::Open && !m_openPath) {
     m_then = Then::Open;
     m_prompt = Prompt::ChooseOpenPath;

@@ -18,7 +18,10 @@ std::string whyKept(const fs::path& file) {
   // By name, not by what links lead to: a sample opened in its source folder is that folder's business.
   if (const auto samples = findDataFolder("projects")) {
     const fs::path below = path.lexically_relative(fs::absolute(*samples, failed).lexically_normal());
-    if (!below.empty() && *below.begin() != "..") return name + " is a sample and stays as it is.";
+    if (!below.empty() && *below.begin() != "..") {
+      return fs::exists(path, failed) ? name + " is a sample and stays as it is."
+                                      : path.parent_path().string() + " holds samples and is not written to.";
+    }
   }
   const fs::path folder = path.parent_path();
   if (::access(folder.c_str(), W_OK) != 0 && (errno == EACCES || errno == EROFS))

@@ -132,6 +132,7 @@ def offer(programs, environment):
         with editor(windloom_editor, environment, folder, str(project)) as app:
             app.wait_fact("dialog", "rescue")
             app.press("dialog/Discard")
+            app.press("dialog/Discard for good")
             app.wait_fact("dialog", "")
             check(rescued_probes(folder) == [], "discarded work must be gone")
             check(app.fact("dirty") == "no", "discarding must leave the project alone")
