@@ -123,18 +123,24 @@ Status keepBackup(const fs::path& path) {
   }
   const Result<std::string> bytes = readFile(path);
   if (!bytes) return bytes.error();
-  return writeFileAtomically(backup, *bytes);
+  struct stat found {};
+  if (::stat(path.c_str(), &found) != 0) return writeError(backup, std::strerror(errno));
+  // As with a link above: a symbolic link that stands there is replaced, and not written through.
+  Result<AtomicFile> copy = AtomicFile::create(backup, found.st_mode & 07777, Links::Replace);
+  if (!copy) return copy.error();
+  if (Status written = copy->write(*bytes); !written) return written;
+  return copy->finish();
 }
 
 }  // namespace
 
-Result<AtomicFile> AtomicFile::create(const fs::path& path) {
+Result<AtomicFile> AtomicFile::create(const fs::path& path, std::optional<unsigned> mode, Links links) {
   AtomicFile file;
   file.m_path = path;
-  file.m_target = followed(path);
+  file.m_target = links == Links::Follow ? followed(path) : path;
   if (file.m_target.empty()) return file.failure(ELOOP);
   struct stat old {};
-  const bool exists = ::stat(file.m_target.c_str(), &old) == 0;
+  const bool exists = ::lstat(file.m_target.c_str(), &old) == 0 && !S_ISLNK(old.st_mode);
   if (exists && S_ISDIR(old.st_mode)) return file.failure(EISDIR);
   // Renaming over a device or a pipe would take it away from everybody else.
   if (exists && !S_ISREG(old.st_mode)) return writeError(path, "it is no regular file");
@@ -142,7 +148,7 @@ Result<AtomicFile> AtomicFile::create(const fs::path& path) {
   file.m_descriptor = makeTemporary(file.m_target, file.m_temporary);
   if (file.m_descriptor < 0) return file.failure(errno);
   // A file system without access rights refuses; nothing is lost by that.
-  static_cast<void>(::fchmod(file.m_descriptor, exists ? old.st_mode & 07777 : newFileMode()));
+  static_cast<void>(::fchmod(file.m_descriptor, mode.value_or(exists ? old.st_mode & 07777 : newFileMode())));
   return file;
 }
 
@@ -237,8 +243,8 @@ Status writeFileUnsynced(const fs::path& path, std::string_view bytes) {
   return file->finish(Sync::Later);
 }
 
-Status writeFileAtomically(const fs::path& path, std::string_view bytes, Backup backup) {
-  Result<AtomicFile> file = AtomicFile::create(path);
+Status writeFileAtomically(const fs::path& path, std::string_view bytes, Backup backup, std::optional<unsigned> mode) {
+  Result<AtomicFile> file = AtomicFile::create(path, mode);
   if (!file) return file.error();
   if (Status written = file->write(bytes); !written) return written;
   if (Status finished = file->finish(Sync::Now, backup); !finished) return finished;

@@ -7,6 +7,7 @@
 // writeFileAtomically removes those that nobody holds any more.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -19,12 +20,16 @@ namespace windloom {
 /// before they count, which is much quicker.
 enum class Sync { Now, Later };
 
+/// What becomes of a link that stands at the path: it stays, and the file that it names is replaced, or it is replaced.
+enum class Links { Follow, Replace };
+
 class AtomicFile {
  public:
-  /// Opens a temporary file in the folder of `path`, which must exist. A link is followed, so that the file that it
-  /// names is replaced; the access rights of an older file are kept. Fails with Machine, also where something stands at
-  /// `path` that is no regular file or may not be written.
-  static Result<AtomicFile> create(const std::filesystem::path& path);
+  /// Opens a temporary file in the folder of `path`, which must exist. Without `mode` the access rights of an older
+  /// file are kept, and a new one's are newFileMode(). Fails with Machine, also where something stands at `path` that
+  /// is no regular file or may not be written.
+  static Result<AtomicFile> create(const std::filesystem::path& path, std::optional<unsigned> mode = {},
+                                   Links links = Links::Follow);
   /// Without finish(), nothing stays on disk.
   ~AtomicFile();
   AtomicFile(AtomicFile&& other) noexcept;

@@ -76,11 +76,16 @@ unsigned newFileMode() {
   return mode;
 }
 
-Status makeFolder(const fs::path& path) {
+Status makeFolder(const fs::path& path, unsigned mode) {
   std::error_code ec;
-  fs::create_directories(path, ec);
-  if (ec) return makeError(ErrorKind::Machine, path.string(), {}, "can't make this folder: " + ec.message());
-  return Done{};
+  if (fs::is_directory(path, ec)) return Done{};
+  if (path.has_parent_path() && path != path.parent_path()) {
+    if (Status made = makeFolder(path.parent_path(), mode); !made) return made;
+  }
+  if (::mkdir(path.c_str(), mode) == 0) return Done{};
+  const int code = errno;
+  if (code == EEXIST && fs::is_directory(path, ec)) return Done{};
+  return ioError(path, "make this folder", code);
 }
 
 Result<fs::path> findDataFolder(std::string_view name) {

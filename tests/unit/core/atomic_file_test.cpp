@@ -6,10 +6,22 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <fstream>
 
 #include "engine/core/file.hpp"
 #include "tests/temporary_folder.hpp"
+
+namespace {
+bool linksFail = false;
+}
+
+/// In place of the C library's: as on a file system without links, where a test wants that.
+extern "C" int link(const char* from, const char* to) noexcept {
+  if (!linksFail) return ::linkat(AT_FDCWD, from, AT_FDCWD, to, 0);
+  errno = EPERM;
+  return -1;
+}
 
 namespace windloom {
 
@@ -88,6 +100,45 @@ TEST(AtomicFile, TakesTheLongestNamesThatThereAre) {
   ASSERT_TRUE(writeFileAtomically(path, "new", Backup::KeepOne)) << "though no backup can have a name";
   EXPECT_EQ(readFile(path).value(), "new");
   EXPECT_EQ(folder.entries(), 1);
+}
+
+TEST(AtomicFile, BackupIsNotWrittenThroughALinkWhereItHasToBeCopied) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "mine", backup = folder.path() / "mine.bak", victim = folder.path() / "victim";
+  ASSERT_TRUE(writeFileAtomically(path, "old", Backup::None, 0640));
+  ASSERT_TRUE(writeFileAtomically(victim, "precious"));
+  fs::create_symlink(victim, backup);
+  linksFail = true;
+  const Status written = writeFileAtomically(path, "new", Backup::KeepOne);
+  linksFail = false;
+  ASSERT_TRUE(written);
+  EXPECT_EQ(readFile(path).value(), "new");
+  EXPECT_EQ(readFile(victim).value(), "precious");
+  EXPECT_FALSE(fs::is_symlink(backup));
+  EXPECT_EQ(readFile(backup).value(), "old");
+  EXPECT_EQ(fs::status(backup).permissions(), static_cast<fs::perms>(0640));
+  EXPECT_EQ(folder.entries(), 3);
+}
+
+TEST(AtomicFile, HasTheAccessRightsThatWereAskedForFromTheStart) {
+  namespace fs = std::filesystem;
+  const TemporaryFolder folder;
+  const auto path = folder.path() / "mine";
+  ASSERT_TRUE(writeFileAtomically(path, "for all"));
+  ::chmod(path.c_str(), 0644);
+  ASSERT_TRUE(writeFileAtomically(path, "for me", Backup::None, kOwnersFile));
+  EXPECT_EQ(fs::status(path).permissions(), static_cast<fs::perms>(0600)) << "an older file's rights don't count";
+  const mode_t before = ::umask(0);
+  const Status made = makeFolder(folder.path() / "a" / "b", kOwnersFolder);
+  ::umask(before);
+  ASSERT_TRUE(made);
+  for (const char* name : {"a", "a/b"})
+    EXPECT_EQ(fs::status(folder.path() / name).permissions(), static_cast<fs::perms>(0700)) << name;
+  EXPECT_TRUE(makeFolder(folder.path() / "a" / "c" / "")) << "a name that ends with a slash";
+  EXPECT_FALSE(makeFolder(path / "below a file"));
+  EXPECT_FALSE(makeFolder(path));
+  EXPECT_FALSE(makeFolder(""));
 }
 
 }  // namespace windloom
