@@ -70,6 +70,9 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
                  "Keep FILE up to date with the names and places of controls (window tests, accessibility)");
   app.set_version_flag("--version", "windloom-editor " WINDLOOM_VERSION);
   app.add_option("--docs", docs, "Write the manual page and shell completions into this folder, and end");
+  app.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return printable(error.what()) + "\nRun with --help for more information.\n";
+  });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

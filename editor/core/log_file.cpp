@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "engine/core/file.hpp"
+#include "engine/core/text.hpp"
 
 namespace windloom::editor {
 namespace {
@@ -44,7 +45,7 @@ void onCrash(int signal) {
 }  // namespace
 
 LogFile::LogFile(const fs::path& folder) : m_path(folder / "log.txt") {
-  if (!folder.empty() && makeFolder(folder)) open();
+  if (!folder.empty() && makeFolder(folder, kOwnersFolder)) open();
 }
 
 LogFile::~LogFile() {
@@ -77,7 +78,7 @@ void LogFile::add(LogLevel level, std::string_view text) {
   }
   static constexpr std::string_view kLevels[] = {"", "warning: ", "error: "};
   std::string line = stamp();
-  line.append(kLevels[static_cast<int>(level)]).append(text).append("\n");
+  line.append(kLevels[static_cast<int>(level)]).append(printableLines(text)).append("\n");
   // In one call, so that lines of several editors don't mix. A rest that isn't written is lost.
   const ssize_t n = ::write(m_descriptor, line.data(), line.size());
   if (n > 0) m_bytes += static_cast<std::uint64_t>(n);

@@ -22,6 +22,7 @@ class LogFile {
   LogFile(const LogFile&) = delete;
   LogFile& operator=(const LogFile&) = delete;
 
+  /// As printableLines gives the text (engine/core/text.hpp), so that every line that isn't indented is one of ours.
   /// Not for two threads at once: a log sink is never called so.
   void add(LogLevel level, std::string_view text);
   /// From here on, a signal that ends the program by a mistake of its own (a bad access, an abort) first leaves a line

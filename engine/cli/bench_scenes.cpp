@@ -26,7 +26,7 @@ constexpr BenchScene kScenes[] = {
 
 /// Four significant digits for numbers, enough to compare and short enough to read.
 std::string cellText(const Json& value) {
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) return printable(value.get<std::string>());
   if (value.is_number_integer()) return std::to_string(value.get<long long>());
   if (!value.is_number()) return value.is_null() ? "" : value.dump();
   char text[32];

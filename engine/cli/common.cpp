@@ -76,7 +76,21 @@ Error pairExpected(const std::string& option, const std::string& found, int most
 }
 
 void printJson(const Json& object) {
-  std::printf("%s\n", object.dump(2, ' ', false, Json::error_handler_t::replace).c_str());
+  // JSON lets DEL and C1 stand as they are; terminals don't. Elsewhere than in texts there are none.
+  std::string text;
+  const std::string dumped = object.dump(2, ' ', false, Json::error_handler_t::replace);
+  for (std::size_t i = 0; i < dumped.size(); ++i) {
+    const bool c1 = dumped[i] == '\xC2' && static_cast<unsigned char>(dumped[i + 1]) < 0xA0;
+    if (c1) ++i;
+    if (c1 || dumped[i] == 0x7F) {
+      char escaped[8];
+      std::snprintf(escaped, sizeof escaped, "\\u%04x", unsigned{static_cast<unsigned char>(dumped[i])});
+      text += escaped;
+    } else {
+      text += dumped[i];
+    }
+  }
+  std::printf("%s\n", text.c_str());
 }
 
 }  // namespace windloom::cli

@@ -55,7 +55,8 @@ std::optional<glm::ivec2> parsePair(const std::string& text, int most);
 /// What to say where that found none; `of` as "pixels".
 Error pairExpected(const std::string& option, const std::string& found, int most, const std::string& of);
 
-/// One object on standard output; text that isn't UTF-8 (paths) is written with replacement characters.
+/// One object on standard output, without control characters; text that isn't UTF-8 (paths) is written with
+/// replacement characters.
 void printJson(const Json& object);
 
 }  // namespace windloom::cli

@@ -9,6 +9,7 @@
 #include "engine/cli/common.hpp"
 #include "engine/core/memory_reserve.hpp"
 #include "engine/core/process.hpp"
+#include "engine/core/text.hpp"
 
 namespace {
 
@@ -41,7 +42,7 @@ int main(int argc, char** argv) {
     std::fputs("windloom: there is not enough memory for this\n", stderr);
     return kExitMachine;
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "windloom: %s\n", error.what());
+    std::fprintf(stderr, "windloom: %s\n", windloom::printable(error.what()).c_str());
     return kExitMachine;
   }
 }

@@ -170,11 +170,11 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
     printJson(json);
     return;
   }
-  std::printf("%s: %zu files, %s MB: %d frames of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
-              options.out.c_str(), report.files.size(), fixed(static_cast<double>(report.bytes) / 1e6, 1).c_str(),
-              header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
-              fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend),
-              fixed(wallSeconds, 1).c_str());
+  std::printf(
+      "%s: %zu files, %s MB: %d frames of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
+      printable(options.out).c_str(), report.files.size(), fixed(static_cast<double>(report.bytes) / 1e6, 1).c_str(),
+      header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
+      fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend), fixed(wallSeconds, 1).c_str());
   if (header.crossfade > 0 && report.complete) {
     std::printf("loop: from the last frame to the first the wind changes by at most %s m/s, between others by %s m/s\n",
                 fixed(static_cast<double>(report.seam.seam), 2).c_str(),

@@ -8,6 +8,7 @@
 #include "engine/cli/limits_page.hpp"
 #include "engine/cli/man_page.hpp"
 #include "engine/core/file.hpp"
+#include "engine/core/text.hpp"
 #include "engine/io/project_schema.hpp"
 
 namespace windloom::cli {
@@ -47,7 +48,7 @@ int writeDocs(const Options& options) {
     const std::filesystem::path path = folder / name;
     if (const Status status = writeFileAtomically(path, text); !status) return reportError(status.error(), options);
     written.push_back(path.string());
-    if (!options.json) std::printf("%s\n", path.c_str());
+    if (!options.json) std::printf("%s\n", printable(path.string()).c_str());
   }
   if (options.json) printJson({{"ok", true}, {"files", written}});
   return kExitDone;

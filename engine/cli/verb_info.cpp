@@ -81,7 +81,7 @@ std::string_view signalName(const Project& project, Id root) {
 
 template <class Record>
 std::string label(const Record& record) {
-  return std::to_string(record.id) + (record.name.empty() ? "" : " (" + record.name + ")");
+  return std::to_string(record.id) + (record.name.empty() ? "" : " (" + printable(record.name) + ")");
 }
 
 /// The name of the value of a choice.
@@ -134,7 +134,7 @@ Json surfaceJson(const Surface& surface) {
 void printSurfaces(const std::vector<Surface>& surfaces) {
   for (const Surface& surface : surfaces) {
     std::string what = std::string(choiceName(surface, "shape"));
-    what += surface.shape == SurfaceShape::Mesh ? " " + surface.file : " of " + metres(surface.size) + " m";
+    what += surface.shape == SurfaceShape::Mesh ? " " + printable(surface.file) : " of " + metres(surface.size) + " m";
     if (surface.mesh) what += ", " + std::to_string(surface.mesh->indices.size() / 3) + " triangles";
     std::printf("surface    %s: %s, %s blades per m^2\n", label(surface).c_str(), what.c_str(),
                 metres(surface.density).c_str());
@@ -179,7 +179,7 @@ void printTerrain(const TerrainSettings& terrain) {
                                ? std::to_string(source.triangles) + " triangles"
                                : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
   std::printf("terrain    %s, %s, %s as %d x %d samples (%s)\n", std::string(terrainName(terrain)).c_str(),
-              terrain.file.c_str(), from.c_str(), source.samples.x, source.samples.y,
+              printable(terrain.file).c_str(), from.c_str(), source.samples.x, source.samples.y,
               megabytes(static_cast<double>(field->bytes())).c_str());
   std::printf("           x %s to %s m, z %s to %s m, %s to %s m high\n", metres(field->low.x).c_str(),
               metres(field->low.x + field->size.x).c_str(), metres(field->low.y).c_str(),
@@ -262,7 +262,7 @@ void printInfoText(const Options& options, const Project& project, const std::ve
   const FieldSettings& field = *project.field;
   const Sizes sizes = sizesOf(project, options.fps);
   const glm::vec2 cell = field.size / glm::vec2(field.resolution);
-  std::printf("%s: %s\n", options.file.c_str(), project.name.c_str());
+  std::printf("%s: %s\n", printable(options.file).c_str(), printable(project.name).c_str());
   std::printf("field      %s x %s m around (%s, %s), %d x %d cells of %s x %s m\n", metres(field.size.x).c_str(),
               metres(field.size.y).c_str(), metres(field.centre.x).c_str(), metres(field.centre.y).c_str(),
               field.resolution.x, field.resolution.y, metres(cell.x).c_str(), metres(cell.y).c_str());

@@ -7,6 +7,7 @@
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
+#include "engine/core/text.hpp"
 #include "engine/io/project_json.hpp"
 #include "engine/model/templates.hpp"
 
@@ -59,7 +60,7 @@ int writeNew(const Options& options) {
   if (options.json) {
     printJson({{"ok", true}, {"file", options.file}, {"template", chosen->name}});
   } else {
-    std::printf("%s: written from template %s\n", options.file.c_str(), std::string(chosen->name).c_str());
+    std::printf("%s: written from template %s\n", printable(options.file).c_str(), std::string(chosen->name).c_str());
   }
   return kExitDone;
 }

@@ -16,8 +16,8 @@
 #include "engine/cli/wind_context.hpp"
 #include "engine/core/text.hpp"
 #include "engine/gpu/context.hpp"
-#include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/framebuffer.hpp"
+#include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/io/image.hpp"
 #include "engine/render/framing.hpp"
@@ -158,7 +158,7 @@ Result<Studio> openStudio(const Options& options, const Project& project, glm::i
 void report(const Options& options, const Studio& studio, const std::vector<std::string>& images, GrassKind kind) {
   const SessionStatus& status = studio.session->status();
   if (!options.json) {
-    for (const std::string& image : images) std::printf("%s\n", image.c_str());
+    for (const std::string& image : images) std::printf("%s\n", printable(image).c_str());
     return;
   }
   Json told = {{"ok", true},

@@ -94,13 +94,13 @@ void printSampleJson(const Options& options, Simulation& simulation, const std::
 
 void printSampleTable(Simulation& simulation, const std::vector<Place>& places) {
   std::size_t width = 5;
-  for (const Place& place : places) width = std::max(width, place.name.size());
+  for (const Place& place : places) width = std::max(width, printable(place.name).size());
   std::printf("wind after %s s (%ld steps, %s)\n", fixed(simulation.time(), 3).c_str(), simulation.steps(),
               backendName(simulation.solver().backend()));
   std::printf("%-*s  speed m/s  direction deg   vx m/s   vz m/s\n", static_cast<int>(width), "place");
   for (const Place& place : places) {
     const glm::vec2 v = simulation.windAt(place.position);
-    std::printf("%-*s  %9s  %13s  %7s  %7s\n", static_cast<int>(width), place.name.c_str(),
+    std::printf("%-*s  %9s  %13s  %7s  %7s\n", static_cast<int>(width), printable(place.name).c_str(),
                 fixed(static_cast<double>(glm::length(v)), 3).c_str(), fixed(directionOf(v), 1).c_str(),
                 fixed(static_cast<double>(v.x), 3).c_str(), fixed(static_cast<double>(v.y), 3).c_str());
   }

@@ -5,6 +5,7 @@
 #include "engine/cli/common.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
+#include "engine/core/text.hpp"
 #include "engine/io/project_json.hpp"
 
 namespace windloom::cli {
@@ -27,7 +28,7 @@ int validateFiles(const Options& options) {
     for (const Problem& remark : remarks) std::fprintf(stderr, "warning: %s\n", remark.text().c_str());
     for (const Json& entry : problemsJson(problems)) errors.push_back(entry);
     for (const Json& entry : problemsJson(remarks)) warnings.push_back(entry);
-    if (!options.json && loaded) std::printf("%s: valid\n", file.c_str());
+    if (!options.json && loaded) std::printf("%s: valid\n", printable(file).c_str());
   }
   if (options.json) {
     Json output{{"ok", status == kExitDone}, {"warnings", warnings}};

@@ -4,6 +4,8 @@
 #include <mutex>
 #include <utility>
 
+#include "engine/core/text.hpp"
+
 namespace windloom {
 namespace {
 
@@ -23,15 +25,22 @@ void write(LogLevel level, std::string_view message) {
   Log& state = log();
   const std::lock_guard lock(state.mutex);
   if (level < state.level) return;
-  std::fprintf(stderr, "%s%.*s\n", kPrefix[static_cast<int>(level)], static_cast<int>(message.size()), message.data());
-  if (state.sink) state.sink(level, message);
+  const std::string shown = printableLines(message);
+  std::fprintf(stderr, "%s%s\n", kPrefix[static_cast<int>(level)], shown.c_str());
+  if (state.sink) state.sink(level, shown);
 }
 
 }  // namespace
 
-void logInfo(std::string_view message) { write(LogLevel::Info, message); }
-void logWarning(std::string_view message) { write(LogLevel::Warning, message); }
-void logError(std::string_view message) { write(LogLevel::Error, message); }
+void logInfo(std::string_view message) {
+  write(LogLevel::Info, message);
+}
+void logWarning(std::string_view message) {
+  write(LogLevel::Warning, message);
+}
+void logError(std::string_view message) {
+  write(LogLevel::Error, message);
+}
 
 void setLogSink(std::function<void(LogLevel, std::string_view)> sink) {
   const std::lock_guard lock(log().mutex);

@@ -1,5 +1,6 @@
 #pragma once
-// The log: one line a message, to standard error unless a sink takes it (the editor's log panel).
+// The log: one line a message, to standard error unless a sink takes it (the editor's log panel). Whatever a message
+// quotes, it is written as printableLines gives it (engine/core/text.hpp).
 // Safe to call from any thread.
 
 #include <functional>

@@ -3,14 +3,16 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "engine/core/text.hpp"
+
 namespace windloom {
 
 std::string Problem::text() const {
   std::string line;
   for (const std::string* part : {&file, &pointer}) {
-    if (!part->empty()) line += *part + ": ";
+    if (!part->empty()) line += printable(*part) + ": ";
   }
-  return line + message;
+  return line + printable(message);
 }
 
 std::string Error::text() const {
@@ -22,7 +24,9 @@ std::string Error::text() const {
   return all;
 }
 
-Error makeError(ErrorKind kind, std::string message) { return makeError(kind, {}, {}, std::move(message)); }
+Error makeError(ErrorKind kind, std::string message) {
+  return makeError(kind, {}, {}, std::move(message));
+}
 
 Error makeError(ErrorKind kind, std::string file, std::string pointer, std::string message) {
   return Error{kind, {Problem{std::move(file), std::move(pointer), std::move(message)}}};

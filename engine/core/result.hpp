@@ -24,7 +24,7 @@ struct Problem {
   std::string pointer;  ///< place in it: JSON pointer ("/graph/arrows/2/to"), or "line 12"; may be empty
   std::string message;  ///< what was found and what was expected, one sentence
 
-  /// "file: /pointer: message", leaving out empty parts.
+  /// "file: /pointer: message", leaving out empty parts; one line without control characters (engine/core/text.hpp).
   [[nodiscard]] std::string text() const;
 };
 

@@ -110,8 +110,10 @@ Result<Handle<ProgramKind>> ShaderLibrary::build(Entry& entry) const {
   GLint linked = GL_FALSE;
   glGetProgramiv(program.name(), GL_LINK_STATUS, &linked);
   if (linked == GL_TRUE) return program;
+  std::string log = logOf(program.name(), glGetProgramiv, glGetProgramInfoLog);
+  std::ranges::replace(log, '\n', ' ');
   return makeError(ErrorKind::Machine, "shaders/" + entry.stages.front(), {},
-                   "'" + entry.name + "' does not link: " + logOf(program.name(), glGetProgramiv, glGetProgramInfoLog));
+                   "'" + entry.name + "' does not link: " + log);
 }
 
 Result<Program*> ShaderLibrary::load(const ProgramSpec& spec, std::string_view moreDefines) {

@@ -43,23 +43,6 @@ bool inRange(const ParameterInfo& info, int value) {
   return value >= info.min && value <= info.max;
 }
 
-/// Bytes of the UTF-8 sequence at the start of `text`, or 0 where it is not one (overlong forms,
-/// surrogates and values above U+10FFFF included).
-std::size_t utf8Length(std::string_view text) {
-  const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const unsigned first = byte(0);
-  if (first < 0x80) return 1;
-  const std::size_t length = first >= 0xF0 ? 4 : (first >= 0xE0 ? 3 : 2);
-  if (first < 0xC2 || first > 0xF4) return 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0) != 0x80) return 0;
-  }
-  const unsigned second = byte(1);
-  if ((first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F)) return 0;
-  if ((first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F)) return 0;
-  return length;
-}
-
 bool legalText(std::string_view text) {
   if (text.size() > kMaxTextBytes) return false;
   while (!text.empty()) {

@@ -155,6 +155,41 @@ class Verbs(unittest.TestCase):
         os.umask(old)
         self.assertEqual(stat.S_IMODE(path.stat().st_mode), 0o644)
 
+    def test_no_text_of_a_file_reaches_the_terminal_as_a_command(self):
+        key = "\x1b]0;pwned\x07\x1b[31mred\x7f\x9b2J\nwindloom: fake line"
+        place = self.folder / "a\x1b[2J\nb\udcff"
+        place.mkdir()
+        path = place / "p.wind.json"
+        self.expect(DONE, "new", path)
+        project = json.loads(path.read_text())
+        project[key] = {key: 1}
+        project["name"] = "meadow \x9b31m"
+        path.write_text(json.dumps(project))
+        broken = place / "broken.wind.json"
+        broken.write_text(json.dumps({**project, "field": {"resolution": key}}))
+        runs = [(DONE, "new", place / "n.wind.json"), (DONE, "validate", path), (DONE, "info", path),
+                (BAD_INPUT, "validate", broken), (BAD_INPUT, "info", broken), (BAD_INPUT, "info", place / "none"),
+                (BAD_INPUT, "new", path), (USAGE, "info", path, "--backend", key), (USAGE, key), (DONE, "docs", place),
+                (DONE, "sample", path, "--at", "0,0", "--time", "0", "--backend", "cpu"),
+                (BAD_INPUT, "sample", place / "none", "--at", "0,0", "--time", "0"),
+                (DONE, "bake", path, "--out", place / "wind", "--format", "npy", "--seconds", "0.1", "--backend", "cpu")]
+        for status, *arguments in runs:
+            for more in ([], ["--json"]):
+                if more and arguments[0] == "new" and status == DONE:
+                    arguments.append("--force")
+                command = [OPTIONS.windloom, *map(str, arguments), *more]
+                result = subprocess.run(command, capture_output=True, timeout=60 * PATIENCE)
+                told = result.stdout + result.stderr
+                self.assertEqual(result.returncode, status, f"{command}\n{told}")
+                text = told.decode("utf-8")  # fails on bytes that are none
+                found = [c for c in text if (c < " " and c != "\n") or "\x7f" <= c <= "\x9f"]
+                self.assertEqual(found, [], f"{command}\n{text!r}")
+                self.assertNotIn("\nwindloom: fake line", text)
+                if more:
+                    json.loads(result.stdout)
+        errors = json.loads(self.run_windloom("info", broken, "--json").stdout)["errors"]
+        self.assertEqual(errors[0]["pointer"], "/field/resolution")
+
     def test_wrong_usage(self):
         for arguments in ([], ["blow"], ["validate"], ["new"], ["new", "x", "--template", "nope"],
                           ["info", "x", "--fps", "-1"],
