@@ -131,8 +131,9 @@ ConnectResult connectEdit(const Project& project, Id from, Id to, const Arrow& m
 FeedResult feedEdit(const Project& project, glm::vec2 position, Id to, const Arrow& model) {
   FeedResult result{named("Draw tree"), 0, 0};
   if (!findPoint(*project.graph, to)) return result;
-  result.root = nextFreeId(project);
-  result.arrow = result.root + 1;
+  FreeIds fresh(project);
+  result.root = fresh.take();
+  result.arrow = fresh.take();
   Point root;
   root.id = result.root;
   root.position = position;
@@ -148,8 +149,9 @@ InsertResult insertPointEdit(const Project& project, Id arrow, float along) {
   const Point* from = findPoint(*project.graph, old->from);
   const Point* to = findPoint(*project.graph, old->to);
   if (!from || !to) return result;
-  result.point = nextFreeId(project);
-  result.arrow = result.point + 1;
+  FreeIds fresh(project);
+  result.point = fresh.take();
+  result.arrow = fresh.take();
   Point point;
   point.id = result.point;
   point.position = glm::mix(from->position, to->position, std::clamp(along, 0.05f, 0.95f));
@@ -198,11 +200,11 @@ SplitResult splitEdit(const Project& project, std::span<const Id> ids) {
   for (std::size_t i = 0; i < arrows.size(); ++i) touching[arrows[i].from].emplace_back(i, false);
 
   std::unordered_set<std::size_t> changed;
-  Id next = nextFreeId(project);
+  FreeIds fresh(project);
   const auto cut = [&](std::size_t arrow, bool atEnd) {
     Id& end = atEnd ? arrows[arrow].to : arrows[arrow].from;
     Point copy = *index.point(end);
-    copy.id = next++;
+    copy.id = fresh.take();
     copy.name.clear();
     copy.root = false;
     end = copy.id;

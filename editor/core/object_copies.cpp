@@ -21,10 +21,11 @@ std::vector<T> picked(const std::vector<T>& records, const std::unordered_set<Id
 /// Steps that put a copy of all records of `pieces` under new ids.
 Edit copyEdit(const Project& project, const Project& pieces, glm::vec2 offset, IdMap& map) {
   Edit edit;
-  Id next = nextFreeId(project);
+  FreeIds ids(project);
   const auto fresh = [&](auto record) {
-    map[record.id] = next;
-    record.id = next++;
+    const Id id = ids.take();
+    map[record.id] = id;
+    record.id = id;
     return record;
   };
   for (const Point& point : pieces.graph->points) {

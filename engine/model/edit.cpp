@@ -267,8 +267,8 @@ Edit moveEdit(const Project& project, std::span<const Id> ids, glm::vec2 delta) 
 }
 
 BranchResult branchEdit(const Project& project, Id from, glm::vec2 position, const Arrow& model) {
-  const Id point = nextFreeId(project);
-  const Id arrow = point + 1;
+  FreeIds ids(project);
+  const Id point = ids.take(), arrow = ids.take();
   Edit edit{.label = "Draw branch", .steps = {}, .mergeKey = {}};
   edit.steps.emplace_back(Put<Point>{pointAt(point, position)});
   edit.steps.emplace_back(Put<Arrow>{arrowLike(model, arrow, from, point)});
@@ -276,12 +276,13 @@ BranchResult branchEdit(const Project& project, Id from, glm::vec2 position, con
 }
 
 TreeResult treeEdit(const Project& project, glm::vec2 start, glm::vec2 end, const Arrow& model) {
-  const Id root = nextFreeId(project);
+  FreeIds ids(project);
+  const Id root = ids.take(), tip = ids.take(), arrow = ids.take();
   Edit edit{.label = "Draw tree", .steps = {}, .mergeKey = {}};
   edit.steps.emplace_back(Put<Point>{pointAt(root, start)});
-  edit.steps.emplace_back(Put<Point>{pointAt(root + 1, end)});
-  edit.steps.emplace_back(Put<Arrow>{arrowLike(model, root + 2, root, root + 1)});
-  return {std::move(edit), root, root + 1, root + 2};
+  edit.steps.emplace_back(Put<Point>{pointAt(tip, end)});
+  edit.steps.emplace_back(Put<Arrow>{arrowLike(model, arrow, root, tip)});
+  return {std::move(edit), root, tip, arrow};
 }
 
 Edit eraseEdit(std::vector<Id> ids) {

@@ -23,6 +23,7 @@ std::string foundText(const ParameterInfo& info, const ParameterValue& value) {
     const ParameterInfo& info;
     std::string operator()(float v) const { return numberText(v); }
     std::string operator()(int v) const {
+      if (info.type == ParameterType::Id) return std::to_string(static_cast<unsigned>(v));
       return (info.type == ParameterType::Choice ? "choice " : "") + std::to_string(v);
     }
     std::string operator()(bool v) const { return v ? "true" : "false"; }

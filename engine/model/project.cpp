@@ -37,21 +37,44 @@ bool Project::sameAs(const Project& other) const {
          extra == other.extra;
 }
 
-Id nextFreeId(const Project& project) {
-  Id highest = 0;
-  const auto visit = [&](const auto& records) {
-    for (const auto& record : records) highest = std::max(highest, record.id);
+namespace {
+
+template <class Visit>
+void visitIds(const Project& project, Visit&& visit) {
+  const auto visitAll = [&](const auto& records) {
+    for (const auto& record : records) visit(record.id);
   };
-  visit(project.graph->points);
-  visit(project.graph->arrows);
-  visit(*project.obstacles);
-  visit(*project.species);
-  visit(*project.colliders);
-  visit(*project.surfaces);
-  visit(*project.rotors);
-  visit(*project.probes);
-  visit(*project.cameras);
-  return highest + 1;
+  visitAll(project.graph->points);
+  visitAll(project.graph->arrows);
+  visitAll(*project.obstacles);
+  visitAll(*project.species);
+  visitAll(*project.colliders);
+  visitAll(*project.surfaces);
+  visitAll(*project.rotors);
+  visitAll(*project.probes);
+  visitAll(*project.cameras);
+}
+
+}  // namespace
+
+FreeIds::FreeIds(const Project& project) : m_project(project) {
+  visitIds(project, [&](Id id) { m_last = std::max(m_last, id); });
+}
+
+Id FreeIds::take() {
+  if (m_used.empty() && m_last < kMaxId) return ++m_last;
+  if (m_used.empty()) {
+    visitIds(m_project, [&](Id id) { m_used.push_back(id); });
+    std::ranges::sort(m_used);
+    m_last = 0;
+  }
+  ++m_last;
+  for (; m_place < m_used.size() && m_used[m_place] <= m_last; ++m_place) m_last += m_used[m_place] == m_last ? 1 : 0;
+  return m_last;
+}
+
+Id nextFreeId(const Project& project) {
+  return FreeIds(project).take();
 }
 
 }  // namespace windloom

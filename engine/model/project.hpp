@@ -427,7 +427,23 @@ struct Project {
 
 /// Ids are unique over points, arrows, obstacles, species, colliders, surfaces, rotors, probes and
 /// cameras of one project; 0 is no id.
-/// The lowest id above every one in use.
+inline constexpr Id kMaxId = 2147483647;
+
+/// Ids that no record of a project has, which must stay as it is meanwhile: in turn those above every one in use, and
+/// where these have come to their end at kMaxId, the lowest ones that are free.
+class FreeIds {
+ public:
+  explicit FreeIds(const Project& project);
+  Id take();
+
+ private:
+  const Project& m_project;
+  Id m_last = 0;            // taken last, or the highest in use
+  std::vector<Id> m_used;   // ascending; empty until the highest ids have come to their end
+  std::size_t m_place = 0;  // in m_used: all before it are below m_last
+};
+
+/// The first of them.
 Id nextFreeId(const Project& project);
 
 }  // namespace windloom

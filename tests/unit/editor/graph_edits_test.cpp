@@ -247,4 +247,20 @@ TEST(ObjectEdits, LinkedIsTheWholeTree) {
   EXPECT_EQ(linked, (Ids{1, 2, 3, 101, 102}));
 }
 
+TEST(GraphEdits, GoOnWhereTheHighestIdIsTaken) {
+  Project project = graphOf(4, {{1, 2}, {2, 3}, {2, 4}});
+  auto graph = std::make_shared<WindGraph>(*project.graph);
+  graph->arrows.back().id = kMaxId;
+  graph->points[3].position.y = 5;
+  project.graph = graph;
+  const Arrow model;
+  after(project, connectEdit(project, 3, 4, model).edit);
+  after(project, feedEdit(project, {0, 30}, 1, model).edit);
+  after(project, insertPointEdit(project, kMaxId, 0.5f).edit);
+  EXPECT_EQ(after(project, splitEdit(project, Ids{2}).edit).graph->points.size(), 6u);
+  const Project twice = after(project, duplicateEdit(project, Ids{1, 2, 3, 4, 101, 102, kMaxId}, {0, 50}).edit);
+  EXPECT_EQ(twice.graph->points.size(), 8u);
+  EXPECT_EQ(twice.graph->arrows.size(), 6u);
+}
+
 }  // namespace windloom::editor

@@ -316,4 +316,31 @@ TEST(BranchEdit, AddsAPointAndAnArrowLikeTheModel) {
   EXPECT_EQ(findPoint(*after->graph, branch.point)->position, glm::vec2(10, 10));
 }
 
+TEST(Ids, TakeTheLowestFreeOnesWhereTheHighestHaveComeToTheirEnd) {
+  WindGraph graph = line();
+  graph.points.push_back(pointAt(kMaxId - 1, {50, 0}));
+  Project project = projectOf(graph);
+  EXPECT_EQ(nextFreeId(project), kMaxId);
+  FreeIds ids(project);
+  std::vector<Id> taken;
+  for (int i = 0; i < 10; ++i) taken.push_back(ids.take());
+  EXPECT_EQ(taken, (std::vector<Id>{kMaxId, 4, 5, 6, 7, 8, 9, 10, 13, 14}));
+
+  graph.points.push_back(pointAt(kMaxId, {60, 0}));
+  project = projectOf(graph);
+  const BranchResult branch = branchEdit(project, kMaxId, {70, 0}, Arrow{});
+  EXPECT_TRUE(applyEdit(project, branch.edit));
+  EXPECT_EQ((std::vector<Id>{branch.point, branch.arrow}), (std::vector<Id>{4, 5}));
+  const TreeResult tree = treeEdit(project, {0, 30}, {10, 30}, Arrow{});
+  EXPECT_TRUE(applyEdit(project, tree.edit));
+}
+
+TEST(Ids, BeyondTheHighestAreRefusedAsTheNumbersTheyAre) {
+  const Project project = projectOf(line());
+  const Result<Project> refused = applyEdit(project, editOf(Put<Point>{pointAt(kMaxId + 1, {50, 0})}));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().text().find("found 2147483648, expected an id from 1 to 2147483647"), std::string::npos)
+      << refused.error().text();
+}
+
 }  // namespace windloom
