@@ -82,6 +82,16 @@ fs::path absolutePath(const fs::path& path) {
   return failed ? path : absolute.lexically_normal();
 }
 
+/// That of a project file, links followed as the system follows them: "link/.." is not where the link stands. Empty
+/// where that can't be told.
+std::string trueFolder(const fs::path& projectFile) {
+  std::error_code failed;
+  const fs::path absolute = fs::absolute(projectFile, failed);
+  if (failed) return {};
+  const fs::path folder = fs::weakly_canonical(absolute.parent_path(), failed);
+  return failed ? std::string() : folder.string();
+}
+
 }  // namespace
 
 double Preferences::number(const std::string& name, double fallback) const {
@@ -106,14 +116,15 @@ void Preferences::forgetFile(const fs::path& path) {
 }
 
 OutsideFiles Preferences::outsideFor(const fs::path& projectFile) const {
-  const std::string folder = absolutePath(projectFile).parent_path().string();
-  return std::ranges::find(outsideAllowed, folder) != outsideAllowed.end() ? OutsideFiles::Allow : OutsideFiles::Refuse;
+  const std::string folder = trueFolder(projectFile);
+  const bool allowed = !folder.empty() && std::ranges::find(outsideAllowed, folder) != outsideAllowed.end();
+  return allowed ? OutsideFiles::Allow : OutsideFiles::Refuse;
 }
 
 void Preferences::setOutside(const fs::path& projectFile, OutsideFiles outside) {
-  const std::string folder = absolutePath(projectFile).parent_path().string();
+  const std::string folder = trueFolder(projectFile);
   std::erase(outsideAllowed, folder);
-  if (outside == OutsideFiles::Refuse) return;
+  if (outside == OutsideFiles::Refuse || folder.empty()) return;
   if (outsideAllowed.size() >= kMaxTrusted) outsideAllowed.erase(outsideAllowed.begin());
   outsideAllowed.push_back(folder);
 }

@@ -21,7 +21,8 @@ struct Preferences {
   std::string keymap = "{}";              ///< JSON object for ActionTable::applyKeymap
   std::map<std::string, double> numbers;  ///< whatever a panel wants to remember: "layout.leftWidth", "view.overlays"
   std::map<std::string, std::string> texts;  ///< the same for words: "export.preset"
-  /// Folders whose projects may have files read that lie outside them; at most kMaxTrusted, the oldest go first.
+  /// Folders whose projects may have files read that lie outside them, links followed; at most kMaxTrusted, the oldest
+  /// go first.
   std::vector<std::string> outsideAllowed;
   bool firstRunHintSeen = false;
 
@@ -29,7 +30,7 @@ struct Preferences {
   [[nodiscard]] std::string text(const std::string& name, const std::string& fallback) const;
   void usedFile(const std::filesystem::path& path);  ///< puts it first in recentFiles
   void forgetFile(const std::filesystem::path& path);
-  /// Of the folder of a project file.
+  /// Of the folder of a project file. Ask the file system.
   [[nodiscard]] OutsideFiles outsideFor(const std::filesystem::path& projectFile) const;
   void setOutside(const std::filesystem::path& projectFile, OutsideFiles outside);
 };

@@ -96,6 +96,23 @@ TEST(OutsideFiles, RescuedWorkIsHeldToTheSame) {
   EXPECT_NE(rescued.project().terrain->heights, nullptr);
 }
 
+TEST(Preferences, TrustTheFolderThatThePathLeadsTo) {
+  namespace fs = std::filesystem;
+  TempFolder folder;
+  ASSERT_TRUE(makeFolder(folder / "trusted"));
+  ASSERT_TRUE(makeFolder(folder / "foreign" / "deep"));
+  fs::create_directory_symlink(folder / "foreign" / "deep", folder / "trusted" / "link");
+  fs::create_directory_symlink(folder / "trusted", folder / "same");
+  Preferences preferences;
+  preferences.setOutside(folder / "trusted" / "p.wind.json", windloom::OutsideFiles::Allow);
+  EXPECT_EQ(preferences.outsideFor(folder / "trusted" / "link" / ".." / "p.wind.json"), windloom::OutsideFiles::Refuse)
+      << "that file lies in foreign";
+  EXPECT_EQ(preferences.outsideFor(folder / "trusted" / "link" / "p.wind.json"), windloom::OutsideFiles::Refuse);
+  EXPECT_EQ(preferences.outsideFor(folder / "same" / "p.wind.json"), windloom::OutsideFiles::Allow);
+  preferences.setOutside(folder / "same" / "p.wind.json", windloom::OutsideFiles::Refuse);
+  EXPECT_TRUE(preferences.outsideAllowed.empty());
+}
+
 TEST(Preferences, ForgetTheOldestOfTooManyTrustedFolders) {
   Preferences preferences;
   for (std::size_t n = 0; n < kMaxTrusted + 5; ++n)
