@@ -41,8 +41,8 @@ bool leavesField(const InputEvent& event, Key key) {
 }  // namespace
 
 Result<std::unique_ptr<App>> App::create(const CommandLine& line, LogFile& log) {
-  const auto preferencesFile = configFolder() / "preferences.json";
-  const Preferences preferences = line.unattended() ? Preferences{} : editor::readPreferences(preferencesFile);
+  const std::filesystem::path file = preferencesFile();
+  const Preferences preferences = line.unattended() ? Preferences{} : editor::readPreferences(file);
   WindowOptions options;
   // A file that someone wrote by hand may ask for any size.
   const auto pixels = [&](const char* name, int least, int usual) {
@@ -55,7 +55,7 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line, LogFile& log) 
   auto window = Window::create(options);
   if (!window) return window.error();
   std::unique_ptr<App> app(new App(line, log, std::move(window).value()));
-  app->m_preferencesFile = preferencesFile;
+  app->m_preferencesFile = file;
   auto live = LiveView::create();
   if (!live) return live.error();
   app->m_live = std::move(live).value();
@@ -72,10 +72,7 @@ Result<std::unique_ptr<App>> App::create(const CommandLine& line, LogFile& log) 
 }
 
 App::App(const CommandLine& line, LogFile& log, std::unique_ptr<Window> window)
-    : m_line(line),
-      m_window(std::move(window)),
-      m_log(log),
-      m_autosave(stateFolder() / "autosave", std::to_string(::getpid())) {
+    : m_line(line), m_window(std::move(window)), m_log(log), m_autosave(autosaveFolder(), std::to_string(::getpid())) {
   ImGui::GetIO().UserData = &m_look;
   if (!line.uiMap.empty()) m_look.map.setFile(line.uiMap);
 }
@@ -117,6 +114,8 @@ void App::connect() {
 
 void App::readPreferences() {
   if (m_line.unattended()) return;
+  if (m_preferencesFile.empty() || m_autosave.folder().empty())
+    logWarning("There is no home folder: preferences, the log and unsaved work are not kept. Set HOME to a folder.");
   std::vector<std::string> warnings;
   m_workspace.preferences = editor::readPreferences(m_preferencesFile, &warnings);
   for (const std::string& warning : warnings) logWarning(warning);
@@ -143,7 +142,7 @@ void App::readOverlays() {
 }
 
 void App::writePreferences() {
-  if (m_line.unattended()) return;
+  if (m_line.unattended() || m_preferencesFile.empty()) return;
   auto& numbers = m_workspace.preferences.numbers;
   numbers["layout.left"] = double(m_layout.left);
   numbers["layout.right"] = double(m_layout.right);

@@ -34,7 +34,7 @@ fs::path lockOf(const fs::path& sideFile) {
 
 /// The file locked for this process, or -1 where another one has it.
 int lockFile(const fs::path& path) {
-  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600);
+  const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, kOwnersFile);
   if (descriptor < 0) return -1;
   struct stat found {};
   // Another editor may have met it before it was locked, and cleared it away.
@@ -61,7 +61,7 @@ void clearLeftLocks(const fs::path& folder) {
 }
 
 bool ownerRuns(const fs::path& sideFile) {
-  const int descriptor = ::open(lockOf(sideFile).c_str(), O_RDWR | O_CLOEXEC);
+  const int descriptor = ::open(lockOf(sideFile).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return false;
   const bool locked = ::flock(descriptor, LOCK_EX | LOCK_NB) != 0;
   ::close(descriptor);
@@ -111,7 +111,7 @@ Autosave::Autosave(fs::path folder, std::string session) : m_folder(std::move(fo
 /// A name of its own. Without one (the disk is full or away) the next write tries again.
 void Autosave::claimFile() {
   std::error_code ignored;
-  if (!makeFolder(m_folder)) return;
+  if (m_folder.empty() || !makeFolder(m_folder, kOwnersFolder)) return;
   for (int number = 1; number < 100; ++number) {
     std::string name = m_session;
     if (number > 1) name.append(1, '-').append(std::to_string(number));
@@ -132,6 +132,7 @@ Autosave::~Autosave() {
 
 Status Autosave::tick(const Document& document, double nowSeconds) {
   Status status = Done{};
+  if (m_folder.empty()) return status;
   if (m_writing.done.valid()) {
     if (!document.dirty()) {
       m_writing.stale = true;
@@ -171,7 +172,9 @@ Status writeSideFile(const fs::path& file, const Project& project, const std::st
     json["original"] = original;
     json["savedAt"] = localTime();
     json["project"] = writeProject(project);
-    return writeFileAtomically(file, json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
+    const std::string text = json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+    // The project may be one that only its owner may read.
+    return writeFileAtomically(file, text, Backup::None, kOwnersFile);
   });
 }
 
@@ -181,6 +184,7 @@ std::string originalOf(const Document& document) {
 }
 
 Error noFolder(const fs::path& folder) {
+  if (folder.empty()) return makeError(ErrorKind::Machine, "can't autosave: there is no home folder");
   return makeError(ErrorKind::Machine, folder.string(), {}, "can't autosave: no file can be made in this folder");
 }
 

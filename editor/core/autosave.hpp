@@ -25,7 +25,8 @@ inline constexpr std::uint64_t kMaxRescueBytes = 4 * kMaxProjectBytes;
 /// disk doesn't hold up a frame. A lock file beside it, held while this lives, tells other editors that its owner runs.
 class Autosave {
  public:
-  /// `session` makes the file name unique (a process id); a name that is taken gets a number.
+  /// `session` makes the file name unique (a process id); a name that is taken gets a number. Folder and files are for
+  /// their owner alone. An empty folder means none: tick() does nothing, writeNow() fails.
   Autosave(std::filesystem::path folder, std::string session);
   ~Autosave();
   Autosave(const Autosave&) = delete;

@@ -1,5 +1,7 @@
 #include "editor/core/preferences.hpp"
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 #include "editor/core/autosave.hpp"
@@ -322,6 +324,41 @@ TEST(ProjectChanges, NameCornersCurvesAndOrder) {
   after = before;
   after.graph = std::make_shared<WindGraph>(graph);
   EXPECT_EQ(describeChanges(before, after), std::vector<std::string>{"Signal 3 changed: curve"});
+}
+
+TEST(Autosave, SideFilesAreForTheirOwnerAlone) {
+  namespace fs = std::filesystem;
+  TempFolder folder;
+  Document document;
+  addProbes(document, 1);
+  const mode_t before = ::umask(0);
+  Autosave autosave(folder / "state" / "autosave", "1");
+  const Status written = autosave.writeNow(document);
+  ::umask(before);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(fs::status(folder / "state").permissions(), static_cast<fs::perms>(0700));
+  EXPECT_EQ(fs::status(autosave.folder()).permissions(), static_cast<fs::perms>(0700));
+  EXPECT_EQ(fs::status(autosave.sideFile()).permissions(), static_cast<fs::perms>(0600));
+  EXPECT_EQ(fs::status(autosave.sideFile().string() + ".lock").permissions(), static_cast<fs::perms>(0600));
+}
+
+TEST(Autosave, WithoutAFolderTouchesNone) {
+  namespace fs = std::filesystem;
+  TempFolder folder;
+  const fs::path before = fs::current_path();
+  fs::current_path(folder.path());
+  {
+    Autosave autosave({}, "1");
+    Document document;
+    ASSERT_TRUE(autosave.tick(document, 0));
+    editFrames(autosave, document, int(kAutosaveEdits) + 1, 1);
+    const Status now = autosave.writeNow(document);
+    ASSERT_FALSE(now);
+    EXPECT_NE(now.error().text().find("no home folder"), std::string::npos);
+    EXPECT_TRUE(findRescues(autosave.folder()).empty());
+  }
+  fs::current_path(before);
+  EXPECT_TRUE(fs::is_empty(folder.path()));
 }
 
 }  // namespace windloom::editor
