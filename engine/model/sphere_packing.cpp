@@ -8,6 +8,7 @@ namespace windloom {
 namespace {
 
 constexpr int kVoxels = 40;  // along the longest side, for kUsualSpheres and less
+constexpr int kFewestVoxels = 4;
 constexpr float kEnoughCovered = 0.985f;
 
 /// Voxels of a box around the mesh, with an empty rim of one.
@@ -51,11 +52,31 @@ Voxels boxAround(const PlantMesh& mesh, int along) {
   return voxels;
 }
 
-/// Where the rays along `axis` cross the mesh: for each column of voxel centres the places along the axis.
-std::vector<std::vector<float>> crossings(const PlantMesh& mesh, const Voxels& voxels, int axis) {
+/// Into how many steps markSurface cuts the sides of a triangle.
+int surfaceSteps(const Voxels& voxels, glm::vec3 a, glm::vec3 b, glm::vec3 c) {
+  const float longest = std::max({glm::length(b - a), glm::length(c - a), glm::length(c - b)});
+  return std::clamp(static_cast<int>(std::ceil(2.0f * longest / voxels.side)), 1,
+                    4 * glm::max(voxels.count.x, glm::max(voxels.count.y, voxels.count.z)));
+}
+
+/// How many rays vote() asks for along all three axes, and points markSurface() marks.
+double packingWork(const PlantMesh& mesh, const Voxels& voxels) {
+  double work = 0;
+  for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
+    const glm::vec3 a = mesh.vertices[mesh.indices[t]].position, b = mesh.vertices[mesh.indices[t + 1]].position,
+                    c = mesh.vertices[mesh.indices[t + 2]].position;
+    const glm::vec3 over = (glm::max(a, glm::max(b, c)) - glm::min(a, glm::min(b, c))) / voxels.side + 1.0f;
+    const int steps = surfaceSteps(voxels, a, b, c);
+    work += static_cast<double>(over.x * over.y + over.y * over.z + over.z * over.x) + 0.5 * (steps + 1) * (steps + 2);
+  }
+  return work;
+}
+
+/// For each voxel whether the rays along `axis`, coming from the voxel before it, cross the mesh an odd number of times
+/// until its centre.
+std::vector<std::uint8_t> crossings(const PlantMesh& mesh, const Voxels& voxels, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  std::vector<std::vector<float>> found(static_cast<std::size_t>(voxels.count[u]) *
-                                        static_cast<std::size_t>(voxels.count[v]));
+  std::vector<std::uint8_t> odd(voxels.inside.size(), 0);
   // A little aside, so that rays miss the edges that modellers put on round coordinates.
   const double aside = 1.2345e-3;
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
@@ -79,30 +100,33 @@ std::vector<std::vector<float>> crossings(const PlantMesh& mesh, const Voxels& v
         const double b = ((x - p[0].x) * (p[2].y - p[0].y) - (p[2].x - p[0].x) * (y - p[0].y)) / area;
         const double c = ((p[1].x - p[0].x) * (y - p[0].y) - (x - p[0].x) * (p[1].y - p[0].y)) / area;
         if (b < 0 || c < 0 || b + c >= 1) continue;
-        found[static_cast<std::size_t>(y * voxels.count[u] + x)].push_back(
-            static_cast<float>(p[0].z + b * (p[1].z - p[0].z) + c * (p[2].z - p[0].z)));
+        const auto crossed = static_cast<float>(p[0].z + b * (p[1].z - p[0].z) + c * (p[2].z - p[0].z));
+        // The first voxel whose centre lies beyond.
+        const double first = std::max(0.0, std::floor(static_cast<double>(crossed) - 0.5) + 1.0);
+        if (first >= voxels.count[axis]) continue;
+        glm::ivec3 place;
+        place[axis] = static_cast<int>(first);
+        place[u] = x;
+        place[v] = y;
+        odd[voxels.at(place.x, place.y, place.z)] ^= 1;
       }
     }
   }
-  return found;
+  return odd;
 }
 
 /// One vote for every voxel that an odd number of crossings lies before.
 void vote(const PlantMesh& mesh, Voxels& voxels, int axis) {
   const int u = (axis + 1) % 3, v = (axis + 2) % 3;
-  std::vector<std::vector<float>> columns = crossings(mesh, voxels, axis);
-  for (int y = 0; y < voxels.count[v]; ++y) {
-    for (int x = 0; x < voxels.count[u]; ++x) {
-      std::vector<float>& column = columns[static_cast<std::size_t>(y * voxels.count[u] + x)];
-      std::ranges::sort(column);
-      std::size_t passed = 0;
-      for (int along = 0; along < voxels.count[axis]; ++along) {
-        while (passed < column.size() && column[passed] < static_cast<float>(along) + 0.5f) ++passed;
-        glm::ivec3 place;
-        place[axis] = along;
-        place[u] = x;
-        place[v] = y;
-        if (passed % 2 == 1) ++voxels.inside[voxels.at(place.x, place.y, place.z)];
+  const std::vector<std::uint8_t> odd = crossings(mesh, voxels, axis);
+  glm::ivec3 place;
+  for (place[v] = 0; place[v] < voxels.count[v]; ++place[v]) {
+    for (place[u] = 0; place[u] < voxels.count[u]; ++place[u]) {
+      bool inside = false;
+      for (place[axis] = 0; place[axis] < voxels.count[axis]; ++place[axis]) {
+        const std::size_t i = voxels.at(place.x, place.y, place.z);
+        if (odd[i] != 0) inside = !inside;
+        if (inside) ++voxels.inside[i];
       }
     }
   }
@@ -113,15 +137,14 @@ void markSurface(const PlantMesh& mesh, Voxels& voxels) {
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     const glm::vec3 a = mesh.vertices[mesh.indices[t]].position, b = mesh.vertices[mesh.indices[t + 1]].position,
                     c = mesh.vertices[mesh.indices[t + 2]].position;
-    const float longest = std::max({glm::length(b - a), glm::length(c - a), glm::length(c - b)});
-    const int steps = std::clamp(static_cast<int>(std::ceil(2.0f * longest / voxels.side)), 1,
-                                 4 * glm::max(voxels.count.x, glm::max(voxels.count.y, voxels.count.z)));
+    const int steps = surfaceSteps(voxels, a, b, c);
     for (int i = 0; i <= steps; ++i) {
       for (int k = 0; i + k <= steps; ++k) {
         const glm::vec2 part = glm::vec2(i, k) / static_cast<float>(steps);
         const glm::vec3 point = a + (b - a) * part.x + (c - a) * part.y;
+        // Rounded to zero, which is downwards where it isn't clamped.
         const glm::ivec3 place =
-            glm::clamp(glm::ivec3(glm::floor((point - voxels.low) / voxels.side)), glm::ivec3(1), voxels.count - 2);
+            glm::clamp(glm::ivec3((point - voxels.low) / voxels.side), glm::ivec3(1), voxels.count - 2);
         voxels.inside[voxels.at(place.x, place.y, place.z)] = 1;
       }
     }
@@ -130,6 +153,12 @@ void markSurface(const PlantMesh& mesh, Voxels& voxels) {
 
 Voxels voxelise(const PlantMesh& mesh, int along) {
   Voxels voxels = boxAround(mesh, along);
+  constexpr auto kMost = static_cast<double>(kMostPackingWork);
+  for (double work = packingWork(mesh, voxels); work > kMost && along > kFewestVoxels;
+       work = packingWork(mesh, voxels)) {
+    along = std::clamp(static_cast<int>(along * std::sqrt(kMost / work)), kFewestVoxels, along - 1);
+    voxels = boxAround(mesh, along);
+  }
   for (int axis = 0; axis < 3; ++axis) vote(mesh, voxels, axis);
   for (std::uint8_t& votes : voxels.inside) votes = votes >= 2 ? 1 : 0;
   // Next to nothing inside of what is many voxels large: no closed surface.

@@ -4,7 +4,8 @@
 // The mesh is cut into voxels, the longest side into about 40, or more where more spheres may be used. A voxel is
 // inside where most of three axis-parallel rays through its centre cross the surface an odd number of times, so that
 // small holes do no harm; of a mesh that encloses nothing (a sheet, an open bowl) the voxels that the surface touches
-// count instead. Then the largest sphere that fits around a voxel not yet covered is taken, again and again (greedy, as
+// count instead. Voxels are larger where triangles lie over each other so often that to ask them all would take too
+// long. Then the largest sphere that fits around a voxel not yet covered is taken, again and again (greedy, as
 // medial sphere packings begin).
 
 #include <memory>
@@ -13,6 +14,10 @@
 #include "engine/model/plant_mesh.hpp"
 
 namespace windloom {
+
+/// Rays and points that the triangles of a mesh are asked for, together: a third of a second. Meshes that artists make
+/// need a tenth; what would need more is cut into larger voxels.
+inline constexpr std::size_t kMostPackingWork = 50'000'000;
 
 /// Centre and radius, m; largest first, at most `most` (1..kMaxSpheres). Every centre is inside, no sphere sticks out
 /// of the mesh by more than a voxel, and together they cover nearly all of it. Empty for a mesh without triangles.

@@ -134,6 +134,34 @@ TEST(SpherePacking, GivesAsManyAsAskedForAndNoFewerDetails) {
   EXPECT_LE(packSpheres(ring, 5000).size(), kMaxSpheres);
 }
 
+TEST(SpherePacking, CutsAPileOfTrianglesIntoLargerVoxels) {
+  PlantMesh pile;
+  pile.vertices = {{.position = {0, 0, 0}}, {.position = {10, 0, 10}}, {.position = {0, 10, 10}}};
+  pile.indices = {0, 1, 2, 0, 1, 2};  // an even number: nothing is behind an odd one
+  const std::vector<glm::vec4> two = packSpheres(pile, kMaxSpheres);
+  for (int triangle = 2; triangle < 2000; ++triangle) pile.indices.insert(pile.indices.end(), {0, 1, 2});
+  const std::vector<glm::vec4> many = packSpheres(pile, kMaxSpheres);
+  ASSERT_FALSE(many.empty());
+  EXPECT_GT(many.front().w, 1.5f * two.front().w) << "of a sheet, as large as its voxels";
+  EXPECT_LT(many.front().w, 1.0f) << "and still they lie close to it";
+}
+
+TEST(SpherePacking, CountsEveryCrossingOfWallsThatLieInEachOther) {
+  PlantMesh boxes;
+  for (const float half : {1.0f, 0.7f, 0.4f}) {
+    const PlantMesh one = box(glm::vec3(half));
+    const auto first = static_cast<std::uint32_t>(boxes.vertices.size());
+    boxes.vertices.insert(boxes.vertices.end(), one.vertices.begin(), one.vertices.end());
+    for (const std::uint32_t index : one.indices) boxes.indices.push_back(first + index);
+  }
+  const auto between = [](glm::vec3 p) {
+    const float out = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+    return (out > 0.7f && out < 1.0f) || out < 0.4f;
+  };
+  for (const glm::vec4& sphere : packSpheres(boxes, kMaxSpheres))
+    EXPECT_TRUE(between(glm::vec3(sphere))) << sphere.x << ' ' << sphere.y << ' ' << sphere.z;
+}
+
 TEST(SpherePacking, RepacksOnlyForAnotherNumber) {
   auto mesh = std::make_shared<PlantMesh>(torus(0.8f, 0.25f));
   mesh->spheres = packSpheres(*mesh);
