@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cctype>
 #include <cstring>
+#include <nlohmann/json.hpp>
+#include <set>
 
 #include "engine/core/file.hpp"
+#include "engine/io/gltf_limits.hpp"
 #include "engine/io/json_document.hpp"
 #include "engine/io/sha256.hpp"
 #include "engine/io/terrain_file.hpp"
@@ -38,6 +41,17 @@ Status copyFile(const fs::path& from, const fs::path& to) {
 bool fits(const fs::path& from, const fs::path& to, const std::vector<std::string>& names) {
   return std::ranges::all_of(
       names, [&](const std::string& name) { return !isThere(to / name) || sameFile(from / name, to / name); });
+}
+
+/// That every one of the files, links in the folder followed, would lie below `top`, and so would the folders made for
+/// it: a project that came from elsewhere may hold links to anywhere.
+Status staysBelow(const fs::path& top, const fs::path& to, const std::vector<std::string>& names) {
+  for (const std::string& name : names) {
+    if (liesBelow((to / name).parent_path(), top)) continue;
+    return makeError(ErrorKind::BadInput, (to / name).string(), {},
+                     "lies behind a link that leads out of the project's folder: nothing is copied there");
+  }
+  return Done{};
 }
 
 Status copyAll(const fs::path& from, const fs::path& to, const std::vector<std::string>& names) {
@@ -100,26 +114,33 @@ Result<std::vector<std::string>> assetCompanions(const fs::path& file, const Fil
   if (terrainKindOf(file) != TerrainKind::Mesh) return names;
   const Result<std::string> text = readFile(file, kMaxTerrainBytes);
   if (!text) return text.error();
-  if (Status within = checkJsonExtent(jsonOf(*text), kMaxJsonValues, file.string()); !within) return within.error();
+  if (Status within = checkJsonExtent(jsonOf(*text), gltf::kMaxValues, file.string()); !within) return within.error();
   const FileAccess reach{access.folder.empty() ? fs::absolute(file).parent_path() : access.folder, access.outside};
-  const JsonDocument document = JsonDocument::parse(jsonOf(*text), nullptr, false);
+  // With sorted keys: JsonDocument compares each key with all before it, and here is no limit to them.
+  const auto document = nlohmann::json::parse(jsonOf(*text), nullptr, false);
   if (!document.is_object())
     return makeError(ErrorKind::BadInput, file.string(), {}, "is no glTF file: it holds no JSON object");
+  std::set<std::string> known;
   for (const char* list : {"buffers", "images"}) {
     const auto entries = document.find(list);
     if (entries == document.end() || !entries->is_array()) continue;
-    for (const JsonDocument& entry : *entries) {
+    for (const nlohmann::json& entry : *entries) {
       const auto uri = entry.is_object() ? entry.find("uri") : entry.end();
       if (!entry.is_object() || uri == entry.end() || !uri->is_string()) continue;
       const std::string& address = uri->get_ref<const std::string&>();
       if (address.starts_with("data:")) continue;
       const std::string name = decodeUri(address);
+      if (!known.insert(name).second) continue;
+      if (known.size() > gltf::kMaxFiles) {
+        return makeError(ErrorKind::BadInput, file.string(), {},
+                         "refers to more than " + std::to_string(gltf::kMaxFiles) + " other files");
+      }
       const bool legal = name.find(':') == name.npos && assetFileProblem(name).empty() && outsideReason(name).empty();
       if (!legal || !mayRead(reach, file.parent_path() / name)) {
         return makeError(ErrorKind::BadInput, file.string(), std::string("/") + list,
                          "refers to '" + address + "', expected files in its own folder: export it as one .glb file");
       }
-      if (std::ranges::find(names, name) == names.end()) names.push_back(name);
+      names.push_back(name);
     }
   }
   return names;
@@ -140,6 +161,9 @@ Result<std::string> bringAsset(const fs::path& file, const fs::path& projectFold
     const std::string name = numbered(stem, number);
     const fs::path folder = alone ? fs::path("assets") : fs::path("assets") / name;
     const fs::path target = folder / (alone ? name + ending : stem + ending);
+    for (const auto& names : {*companions, std::vector{target.filename().string()}}) {
+      if (Status below = staysBelow(projectFolder, projectFolder / folder, names); !below) return below.error();
+    }
     if (isThere(projectFolder / target) && !sameFile(file, projectFolder / target)) continue;
     if (!fits(from, projectFolder / folder, *companions)) continue;
     // The file itself last: where it is, all of it is.
@@ -174,6 +198,7 @@ Status copyAssetsAlong(const std::vector<std::string>& files, const fs::path& fr
                        "is another file than the one that the project uses: save into another folder, or move it away");
     }
   }
+  if (Status below = staysBelow(toFolder, toFolder, names); !below) return below;
   return copyAll(fromFolder, toFolder, names);
 }
 

@@ -25,6 +25,7 @@ struct Reach {
   FileAccess access;
   std::string refused;  // the first file that lies outside
   std::uint64_t bytesLeft = kMaxBufferBytes;
+  std::size_t files = 0;  // read
   const tinygltf::Model* model = nullptr;
 };
 
@@ -35,12 +36,13 @@ bool isPicture(const fs::path& path) {
 
 bool mayRead(const std::string& name, void* data) {
   auto& reach = *static_cast<Reach*>(data);
-  const fs::path path = fs::path(name).lexically_normal();
+  // As the system will open it: to shorten "link/.." would check another file.
+  const fs::path path = name;
   const fs::path relative = path.lexically_relative(reach.folder);
   std::error_code ignored;
   if (!path.is_absolute() || (reach.pictures != Pictures::Keep && isPicture(path))) return false;
   if (!fs::is_regular_file(path, ignored)) return false;
-  const bool beside = !relative.empty() && *relative.begin() != "..";
+  const bool beside = !relative.empty() && std::ranges::find(relative, fs::path("..")) == relative.end();
   const bool allowed = mayRead(reach.access, path) && (beside || reach.access.outside == OutsideFiles::Allow);
   if (!allowed && reach.refused.empty()) reach.refused = relative.generic_string();
   return allowed;
@@ -48,6 +50,10 @@ bool mayRead(const std::string& name, void* data) {
 
 bool readWhole(std::vector<unsigned char>* out, std::string* problem, const std::string& name, void* data) {
   auto& reach = *static_cast<Reach*>(data);
+  if (++reach.files > kMaxFiles) {
+    if (problem != nullptr) *problem = "there are more than " + std::to_string(kMaxFiles) + " other files";
+    return false;
+  }
   const Result<std::string> bytes = readFile(name, std::min(kMaxBytes, reach.bytesLeft));
   if (!bytes) {
     if (problem != nullptr) *problem = bytes.error().text();
@@ -149,7 +155,7 @@ Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures, const Fil
   // The library knows no limits: it follows nested values by recursion and makes an object of each.
   if (Status within = checkJsonExtent(jsonOf(*bytes), kMaxValues, file.string()); !within) return within.error();
   std::error_code ignored;
-  Reach reach{fs::absolute(file, ignored).lexically_normal().parent_path(), pictures, access, {}};
+  Reach reach{fs::absolute(file, ignored).parent_path(), pictures, access, {}};
   if (reach.access.folder.empty()) reach.access.folder = reach.folder;
   tinygltf::TinyGLTF loader;
   tinygltf::FsCallbacks files{};
@@ -179,8 +185,9 @@ Result<tinygltf::Model> parse(const fs::path& file, Pictures pictures, const Fil
     problem.clear();
   }
   if (!good && !reach.refused.empty()) {
-    return refuse(file, "refers to '" + reach.refused +
-                            "', which lies outside its folder: such files are read only where you allow it");
+    return refuse(file,
+                  "refers to '" + reach.refused +
+                      "', which holds '..' or lies outside its folder: such files are read only where you allow it");
   }
   if (!good)
     return refuse(file, "is no glTF file that can be read: " + oneLine(problem.empty() ? "it is damaged" : problem));

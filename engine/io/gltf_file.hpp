@@ -23,9 +23,9 @@ enum class Pictures {
   Keep,   ///< Image::image holds the file's bytes as they are (PNG, JPEG); empty where the file is missing
 };
 
-/// A .glb or .gltf with its buffers. Other files are opened only below its own folder and where `access` lets them be,
-/// or anywhere on this machine where it allows that; nothing is ever fetched. Fails with BadInput where it is missing,
-/// damaged, over a limit or needs an extension that can't be read.
+/// A .glb or .gltf with its buffers. Other files are opened only below its own folder, by names without "..", and where
+/// `access` lets them be, or anywhere on this machine where it allows that; nothing is ever fetched. Fails with
+/// BadInput where it is missing, damaged, over a limit or needs an extension that can't be read.
 Result<tinygltf::Model> parse(const std::filesystem::path& file, Pictures pictures, const FileAccess& access = {});
 
 /// A mesh where the default scene (or, without scenes, every node) puts it. `mesh` is a valid index.

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
+
 #include "engine/core/file.hpp"
 #include "tests/temporary_folder.hpp"
 
@@ -83,6 +85,66 @@ TEST_F(AssetCopy, NothingIsCopiedWhereOneWouldHideAnother) {
   EXPECT_NE(refused.error().text().find("mask.png"), std::string::npos);
   EXPECT_EQ(textOf("b/hills.png"), "missing");
   EXPECT_EQ(textOf("b/mask.png"), "another mask");
+}
+
+TEST_F(AssetCopy, NothingIsCopiedThroughALinkThatLeadsOut) {
+  put("elsewhere/m.gltf", R"({"buffers": [{"uri": "sub/evil.desktop"}]})");
+  put("elsewhere/sub/evil.desktop", "evil");
+  put("elsewhere/mask.png", "mask");
+  put("victim/own.txt", "own");
+  ASSERT_TRUE(makeFolder(m_folder / "project"));
+  const auto refused = [](const auto& result) {
+    if (result) return false;
+    return result.error().kind == ErrorKind::BadInput &&
+           result.error().text().find("leads out of the project's folder") != std::string::npos;
+  };
+  fs::create_symlink("../victim", m_folder / "project/assets");
+  EXPECT_TRUE(refused(bringAsset(m_folder / "elsewhere/m.gltf", m_folder / "project")));
+  EXPECT_TRUE(refused(bringAsset(m_folder / "elsewhere/mask.png", m_folder / "project")));
+  put("a/hills.png", "hills");
+  put("a/assets/mask.png", "mask");
+  EXPECT_TRUE(refused(copyAssetsAlong({"hills.png", "assets/mask.png"}, m_folder / "a", m_folder / "project")));
+  EXPECT_EQ(textOf("project/hills.png"), "missing") << "all is looked at before anything is copied";
+
+  // A link deeper down, and one that leads nowhere yet.
+  fs::remove(m_folder / "project/assets");
+  ASSERT_TRUE(makeFolder(m_folder / "project/assets/m"));
+  fs::create_symlink("../../../victim", m_folder / "project/assets/m/sub");
+  EXPECT_TRUE(refused(bringAsset(m_folder / "elsewhere/m.gltf", m_folder / "project")));
+  fs::remove_all(m_folder / "project/assets");
+  fs::create_symlink("../nowhere", m_folder / "project/assets");
+  EXPECT_FALSE(bringAsset(m_folder / "elsewhere/m.gltf", m_folder / "project").ok());
+  EXPECT_FALSE(fs::exists(m_folder / "nowhere"));
+  EXPECT_EQ(std::distance(fs::recursive_directory_iterator(m_folder / "victim"), {}), 1) << "its own file";
+
+  // Links within the folder are the project's own matter, and the folder may be one itself.
+  fs::remove(m_folder / "project/assets");
+  ASSERT_TRUE(makeFolder(m_folder / "project/pictures"));
+  fs::create_symlink("pictures", m_folder / "project/assets");
+  fs::create_symlink("project", m_folder / "alias");
+  EXPECT_EQ(*bringAsset(m_folder / "elsewhere/mask.png", m_folder / "alias"), "assets/mask.png");
+  EXPECT_EQ(textOf("project/pictures/mask.png"), "mask");
+}
+
+TEST_F(AssetCopy, MeshesOfManyKeysAndFilesTakeNoLonger) {
+  std::string keys = "0", buffers;
+  for (int i = 0; i < 100'000; ++i) keys += ", \"k" + std::to_string(i) + "\": 0";
+  put("keys.gltf", R"({"buffers": [{"uri": "a.bin"}], "extras": {"first": )" + keys + "}}");
+  const auto start = std::chrono::steady_clock::now();
+  EXPECT_EQ(*assetCompanions(m_folder / "keys.gltf"), Names{"a.bin"});
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(10))
+      << "comparing all keys takes four times that";
+
+  put("values.gltf", R"({"extras": [)" + std::string(2'000'000, ',') + "]}");
+  const auto values = assetCompanions(m_folder / "values.gltf");
+  ASSERT_FALSE(values.ok());
+  EXPECT_NE(values.error().text().find("more than 1000000 values"), std::string::npos) << values.error().text();
+
+  for (int i = 0; i <= 10'000; ++i) buffers += (i > 0 ? ", " : "") + (R"({"uri": ")" + std::to_string(i)) + "\"}";
+  put("files.gltf", R"({"buffers": [)" + buffers + "]}");
+  const auto files = assetCompanions(m_folder / "files.gltf");
+  ASSERT_FALSE(files.ok());
+  EXPECT_NE(files.error().text().find("more than 10000 other files"), std::string::npos) << files.error().text();
 }
 
 TEST_F(AssetCopy, PicturesAndMeshesFromElsewhereComeIntoTheProjectsFolder) {

@@ -104,6 +104,21 @@ TEST_F(FileAccessTest, AGltfFilesOwnFilesAreHeldToTheSame) {
   }
 }
 
+TEST_F(FileAccessTest, NoNameIsShortenedAcrossALink) {
+  put("library/corners.bin", triangle());
+  ASSERT_TRUE(makeFolder(m_folder / "library/inner"));
+  put("project/plant/corners.bin", triangle());
+  putGltf("project/plant/up.gltf", "link/../corners.bin");
+  fs::create_symlink("../../library/inner", m_folder / "project/plant/link");
+  EXPECT_FALSE(reads("plant/up.gltf", OutsideFiles::Refuse)) << "it is library/corners.bin";
+  EXPECT_NE(m_said.find("'link/../corners.bin'"), std::string::npos) << m_said;
+  fs::remove(m_folder / "library/corners.bin");
+  EXPECT_FALSE(reads("plant/up.gltf", OutsideFiles::Allow)) << "and not plant/corners.bin";
+  put("library/corners.bin", triangle());
+  EXPECT_TRUE(reads("plant/up.gltf", OutsideFiles::Allow)) << m_said;
+  EXPECT_FALSE(assetCompanions(m_folder / "project/plant/up.gltf").ok());
+}
+
 TEST_F(FileAccessTest, WebAddressesAndFileAddressesAreNeverOpened) {
   put("library/corners.bin", triangle());
   const std::string absolute = (m_folder / "library/corners.bin").string();
