@@ -24,6 +24,7 @@
 #include "engine/model/outline.hpp"
 #include "engine/model/parameter.hpp"
 #include "engine/model/plant_mesh.hpp"
+#include "engine/model/sphere_packing.hpp"
 #include "engine/model/validate.hpp"
 #include "engine/runtime/windpack_format.h"
 #include "engine/session/simulation.hpp"
@@ -103,6 +104,8 @@ std::string assetRows() {
       {"size of a PNG file", mebibytes(kMaxPngBytes), image, "the greatest picture below, packed by half"},
       {"side of a PNG picture", count(kMaxImageSide) + " pixels", image, "what graphics cards take"},
       {"pixels of a PNG picture", count(kMaxImagePixels), image, "1 GiB of 16-bit RGBA"},
+      {"texts, profiles and all else of a PNG picture that makes no pixels", "passed over", image,
+       "a few kilobytes could unpack to gigabytes"},
       {"height map", count(kMaxTerrainPicture) + " pixels a side", "engine/io/terrain_file.cpp", "as above"},
       {"samples that are kept of it", count(kMaxHeightSamples) + " a side", "engine/io/terrain_file.cpp",
        "larger ones are averaged, not refused"},
@@ -112,12 +115,17 @@ std::string assetRows() {
        "bounds nodes, meshes, accessors, buffers, materials and data URIs together"},
       {"nesting of it", count(kMaxJsonDepth) + " levels", gltf, "its library follows it by recursion"},
       {"other files of a glTF file together", mebibytes(gltf::kMaxBufferBytes), gltf, "all are held at once"},
+      {"other files of a glTF file", count(gltf::kMaxFiles), gltf, "each is looked up, opened and copied along"},
       {"pieces of meshes that its nodes place", count(gltf::kMaxPlacedPrimitives), gltf, "a node may repeat a mesh"},
       {"vertices and triangles of a terrain", count(kMaxTerrainVertices), "engine/io/terrain_mesh.cpp",
        "half a gigabyte; the heights made of it are far fewer"},
+      {"samples that its triangles are drawn over", count(kMaxDrawnSamples), "engine/io/terrain_mesh.cpp",
+       "ground needs ten times fewer; triangles in a pile could take days"},
       {"triangles of a plant", count(kMaxPlantTriangles), "engine/io/plant_file.cpp",
        "a meadow draws it thousands of times"},
       {"triangles of a collider's mesh", count(kMaxObjectTriangles), "engine/io/plant_file.cpp", "spheres fill it"},
+      {"rays and points that fill it with spheres", count(kMostPackingWork), "engine/model/sphere_packing.cpp",
+       "for more it is cut into larger voxels, not refused"},
       {"triangles of a surface's mesh", count(kMaxSurfaceTriangles), "engine/io/plant_file.cpp",
        "every frame draws them all"},
       {"triangles of all meshes of a project", count(kMaxProjectTriangles), "engine/io/assets.cpp",
@@ -126,6 +134,8 @@ std::string assetRows() {
        "their pictures are stacked into one"},
       {"side of a plant's picture", count(gltf::kMaxPictureSide) + " pixels", "engine/io/plant_texture.cpp",
        "what artists paint"},
+      {"scans of a JPEG picture", count(gltf::kMaxJpegScans), "engine/io/plant_texture.cpp",
+       "progressive ones have about ten; each passes over all pixels"},
       {"pixels of all pictures of a plant", count(gltf::kMaxPicturePixels), "engine/io/plant_texture.cpp",
        "512 MiB while they are stacked"},
       {"side of the picture kept of them", count(kMaxPlantTexture) + " pixels", "engine/io/plant_texture.cpp",
@@ -199,7 +209,8 @@ std::string limitsMarkdown() {
          "a file that is too large before it is read. Files outside a project's folder, by `..`, by an absolute path "
          "or "
          "through a link, are not read unless the user allows it: `--allow-outside`, or the question that the editor "
-         "asks. Nothing that a file names is ever fetched from a network or executed.\n\n"
+         "asks; no copy is ever written there. Nothing that a file names is ever fetched from a network or "
+         "executed.\n\n"
          "Within the limits a project can still need more memory than a machine has. Then the command line ends with "
          "exit status 3 and says so; the editor says so and keeps the document.\n" +
          projectRows() + assetRows() + bakeRows() + editorRows();

@@ -67,6 +67,9 @@ bool readHeader(Reader& reader, Trouble& trouble, Source& source, int bits, Layo
   png_set_read_fn(reader.png, &source, onRead);
   png_set_user_limits(reader.png, kMaxImageSide, kMaxImageSide);
   png_set_chunk_malloc_max(reader.png, 8u << 20);
+  // Only what makes pixels is wanted. Texts, profiles and the like are passed over: libpng would unpack and keep a
+  // thousand of them, each to the size above.
+  png_set_keep_unknown_chunks(reader.png, PNG_HANDLE_CHUNK_NEVER, nullptr, -1);
   png_read_info(reader.png, reader.info);
   png_set_expand(reader.png);
   const int colour = png_get_color_type(reader.png, reader.info);

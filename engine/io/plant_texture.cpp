@@ -43,21 +43,26 @@ bool tablesFit(const std::vector<unsigned char>& bytes, std::size_t at, std::siz
   return true;
 }
 
-/// The library that decodes JPEG writes beyond its tables where one is too long (stb_image before 2.29), so all are
-/// looked at first, segment by segment up to the end of the picture.
-bool jpegTablesFit(const std::vector<unsigned char>& bytes) {
+/// What speaks against giving a picture to the library that decodes JPEG; empty where nothing does. The library writes
+/// beyond its tables where one is too long (stb_image before 2.29), and passes over all pixels for every scan, of which
+/// a progressive picture has about ten and one made to last any number, of ten bytes each. So the segments are looked
+/// at first, one by one up to the end of the picture.
+std::string jpegProblem(const std::vector<unsigned char>& bytes) {
+  std::size_t scans = 0;
   for (std::size_t at = 0; at + 3 < bytes.size();) {
     if (bytes[at++] != 0xff) continue;
     while (at + 2 < bytes.size() && bytes[at] == 0xff) ++at;
     const unsigned kind = bytes[at++];
-    if (kind == 0xd9) return true;
+    if (kind == 0xd9) return {};
     if (kind == 0x00 || kind == 0x01 || (kind >= 0xd0 && kind <= 0xd8)) continue;  // no segment: coded picture
-    if (at + 1 >= bytes.size()) return true;
+    if (at + 1 >= bytes.size()) return {};
     const std::size_t length = bytes[at] * 256u + bytes[at + 1];
-    if (kind == 0xc4 && !tablesFit(bytes, at + 2, at + length)) return false;
+    if (kind == 0xc4 && !tablesFit(bytes, at + 2, at + length)) return "is a damaged JPEG picture";
+    if (kind == 0xda && ++scans > kMaxJpegScans)
+      return "is a JPEG picture of more than " + std::to_string(kMaxJpegScans) + " scans: export it as a plain one";
     at += std::max<std::size_t>(length, 2);
   }
-  return true;
+  return {};
 }
 
 Image toRgba(const Image& from) {
@@ -94,7 +99,7 @@ Result<Image> decodeJpeg(const std::vector<unsigned char>& bytes, const fs::path
   };
   const glm::ivec2 size = jpegSize(bytes);
   if (size.x <= 0 || size.y <= 0) return bad("is a damaged JPEG picture");
-  if (!jpegTablesFit(bytes)) return bad("is a damaged JPEG picture");
+  if (const std::string problem = jpegProblem(bytes); !problem.empty()) return bad(problem);
   tinygltf::Image decoded;
   std::string problem, warning;
   const bool good = tinygltf::LoadImageData(&decoded, 0, &problem, &warning, 0, 0, bytes.data(),

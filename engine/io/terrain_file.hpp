@@ -23,7 +23,10 @@ namespace windloom {
 
 inline constexpr int kMaxTerrainPicture = 16384;                ///< pixels per side
 inline constexpr std::size_t kMaxTerrainVertices = 20'000'000;  ///< of a mesh; as many triangles
-inline constexpr std::uint64_t kMaxTerrainBytes = 1ull << 30;   ///< of any one file
+/// Samples looked at while a mesh's triangles are drawn, every triangle those of its bounding rectangle. Ground of any
+/// size looks at each sample two to ten times, which makes 40 million; this many take a second or two.
+inline constexpr std::size_t kMaxDrawnSamples = 500'000'000;
+inline constexpr std::uint64_t kMaxTerrainBytes = 1ull << 30;  ///< of any one file
 
 /// Told what a loader does next ("Reading hills.png"); false stops it.
 using LoadWatch = std::function<bool(std::string_view doing)>;

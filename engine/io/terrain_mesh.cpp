@@ -147,15 +147,19 @@ Result<std::shared_ptr<HeightSource>> heightsOfMesh(const TriangleMesh& mesh, co
     return glm::dvec3((at.x - static_cast<double>(low.x)) * perMetre.x, at.y,
                       (at.z - static_cast<double>(low.z)) * perMetre.y);
   };
-  std::size_t work = kWorkBetweenWatches;
+  std::size_t work = kWorkBetweenWatches, drawnSamples = 0;
   for (std::size_t t = 0; t + 2 < mesh.indices.size(); t += 3) {
     if (watch && work >= kWorkBetweenWatches) {
       work = 0;
       const auto percent = 100 * t / mesh.indices.size();
       if (!watch("Making heights, " + std::to_string(percent) + "%")) return stopped();
     }
-    work += kTriangleWork;
-    work += drawTriangle(*source, onGrid(mesh.indices[t]), onGrid(mesh.indices[t + 1]), onGrid(mesh.indices[t + 2]));
+    const std::size_t drawn =
+        drawTriangle(*source, onGrid(mesh.indices[t]), onGrid(mesh.indices[t + 1]), onGrid(mesh.indices[t + 2]));
+    work += kTriangleWork + drawn;
+    drawnSamples += drawn;
+    if (drawnSamples > kMaxDrawnSamples)
+      return refuse(file, "has too many triangles that lie over each other: expected ground, one or a few layers");
   }
   if (std::ranges::all_of(source->values, [](float v) { return v == kNothing; }))
     return refuse(file, "covers no ground: all its triangles stand upright");

@@ -15,7 +15,8 @@ Result<TriangleMesh> readMesh(const std::filesystem::path& file, const LoadWatch
                               const FileAccess& access = {});
 
 /// The mesh seen from above, see terrain_file.hpp. Fails with BadInput (`file` goes into the message) where it covers
-/// no ground, and with Usage where `watch` stopped it.
+/// no ground or its triangles lie over each other so often that kMaxDrawnSamples don't do, and with Usage where `watch`
+/// stopped it.
 Result<std::shared_ptr<HeightSource>> heightsOfMesh(const TriangleMesh& mesh, const std::filesystem::path& file,
                                                     const LoadWatch& watch = {});
 

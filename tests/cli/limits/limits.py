@@ -91,13 +91,17 @@ class Case(unittest.TestCase):
         process.returncode = os.waitstatus_to_exitcode(status)
         return process.returncode, text, used
 
-    def refused(self, status, message, *arguments):
+    def answered(self, status, message, *arguments):
         found, text, used = self.run_windloom(*arguments)
         self.assertEqual(found, status, f"{arguments}: {text[:2000]}")
         self.assertIn(message, text)
         self.assertLess(used.ru_utime + used.ru_stime, MOST_CPU_S, message)
         self.assertLess(used.ru_maxrss * 1024, MOST_MEMORY, message)
         return text
+
+    def refused(self, status, message, *arguments):
+        self.assertNotEqual(status, DONE)
+        return self.answered(status, message, *arguments)
 
     def sparse(self, path, size):
         with open(path, "wb") as file:
@@ -166,6 +170,12 @@ class Assets(Case):
             self.check("h.png", png(32769, 1), "damaged PNG file", **parts)
             self.check("h.png", png(32768, 4097), "pixels, at most 134217728 can be read", **parts)
             self.check("h.png", png(32768, 4096), "cut short", **parts)
+        # Texts, each of which would be unpacked to 8 MB and kept.
+        texts = chunk(b"zTXt", b"k\0\0" + zlib.compress(bytes(7_900_000), 9)) * 200
+        header, rest = grey(16, 16)[:33], grey(16, 16)[33:]
+        (self.folder / "h.png").write_bytes(header + texts + rest)
+        self.write(**ground)
+        self.answered(DONE, "valid", "validate", self.project)
         self.check("h.png", grey(16385, 2), "has 16385 pixels a side, expected at most 16384", **ground)
 
     def test_meshes(self):
@@ -187,6 +197,20 @@ class Assets(Case):
         placed["meshes"][0]["primitives"] *= 1000
         placed["nodes"] = [{"children": list(range(1, 202))}] + [{"mesh": 0}] * 201
         self.check("m.glb", glb(placed, data), "places more than 200000 pieces", **ground)
+
+    def test_triangles_in_a_pile(self):
+        document, data = triangles(1)
+        per, pieces, nodes = 1000, 20, 25  # half a million, in a few kilobytes
+        document["accessors"].append({"bufferView": 1, "componentType": 5121, "count": 3 * per, "type": "SCALAR"})
+        document["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": 3 * per})
+        document["meshes"][0]["primitives"][0]["indices"] = 1
+        document["meshes"][0]["primitives"] *= pieces
+        document["nodes"] = [{"children": list(range(1, nodes + 1))}] + [{"mesh": 0}] * nodes
+        pile = glb(document, data + bytes((0, 1, 2)) * per)
+        self.assertLess(len(pile), 10_000)
+        self.check("m.glb", pile, "triangles that lie over each other", terrain={"kind": "mesh", "file": "m.glb"})
+        self.write(colliders=[{"id": 1, "shape": "mesh", "file": "m.glb", "spheres": 1024}])
+        self.answered(DONE, "valid", "validate", self.project)
 
     def test_all_meshes_of_a_project_together(self):
         document, data = triangles(1)

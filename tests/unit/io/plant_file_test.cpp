@@ -128,6 +128,17 @@ TEST_F(PlantFiles, ReadsJpegs) {
   EXPECT_NE(refusal(textured(redJpeg().substr(0, 60))).find("damaged JPEG"), std::string::npos);
 }
 
+TEST_F(PlantFiles, RefusesJpegsOfMoreScansThanAnyProgressiveOneHas) {
+  const auto withScans = [this](std::size_t count) {
+    std::string bytes = redJpeg();
+    const std::string scan("\xff\xda\x00\x08\x01\x01\x00\x00\x00\x10", 10);
+    for (std::size_t i = 1; i < count; ++i) bytes.insert(bytes.size() - 2, scan);
+    return refusal(textured(bytes));
+  };
+  EXPECT_NE(withScans(101).find("more than 100 scans"), std::string::npos);
+  EXPECT_EQ(withScans(100).find("scans"), std::string::npos);
+}
+
 TEST_F(PlantFiles, IgnoresTheAlphaOfAnOpaqueMaterial) {
   const auto mesh = read(textured(picture(8, {10, 200, 30, 77})));
   ASSERT_TRUE(mesh);
