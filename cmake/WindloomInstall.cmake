@@ -39,11 +39,20 @@ install(CODE [[
   COMPONENT programs)
 
 install(TARGETS ${programs} RUNTIME DESTINATION bin COMPONENT programs)
-install(DIRECTORY shaders/ DESTINATION ${data}/shaders COMPONENT programs PATTERN "*.md" EXCLUDE)
-install(DIRECTORY projects/ DESTINATION ${data}/projects COMPONENT programs
-  PATTERN "*.py" EXCLUDE PATTERN "__pycache__" EXCLUDE PATTERN "*.bak" EXCLUDE PATTERN "*.autosave.json" EXCLUDE
-  PATTERN ".*" EXCLUDE)
-install(FILES LICENSE DESTINATION ${docs} RENAME copyright COMPONENT programs)
+install(DIRECTORY shaders/ DESTINATION ${data}/shaders COMPONENT programs)
+# The samples by name: what else lies in their folders is somebody's own work. A test holds this list against git's.
+foreach(sample canyon colliding-winds flowers footsteps fur helicopter hills knoll meadow moebius nature prairie rolling-ball)
+  install(FILES projects/${sample}/${sample}.wind.json projects/${sample}/README.md DESTINATION ${data}/projects/${sample}
+    COMPONENT programs)
+endforeach()
+foreach(asset flowers/assets/oat-grass.glb helicopter/assets/helicopter.glb hills/terrain/hills.png knoll/terrain/hills.png
+    nature/assets/fallen-tree.glb nature/terrain/hills.png prairie/terrain/hills.png)
+  get_filename_component(folder ${asset} DIRECTORY)
+  install(FILES projects/${asset} DESTINATION ${data}/projects/${folder} COMPONENT programs)
+endforeach()
+install(FILES projects/README.md DESTINATION ${data}/projects COMPONENT programs)
+# Windloom's license, and those of the libraries that are compiled in.
+install(FILES packaging/copyright DESTINATION ${docs} COMPONENT programs)
 if(WINDLOOM_EDITOR)
   install(FILES packaging/windloom.desktop DESTINATION share/applications COMPONENT programs)
   install(FILES packaging/windloom-mime.xml DESTINATION share/mime/packages RENAME windloom.xml COMPONENT programs)
@@ -58,7 +67,8 @@ if(WINDLOOM_EDITOR)
   endforeach()
 endif()
 
-# Laid out as in the repository, so that links between pages hold; what they name of the program's files is linked.
+# Laid out as in the repository, so that links between pages hold; what they name of the program's files is linked, and so are
+# the pages, for those of the samples.
 install(FILES README.md CHANGELOG.md DESTINATION ${docs} COMPONENT documentation)
 install(DIRECTORY docs/ DESTINATION ${docs}/docs COMPONENT documentation PATTERN ".*" EXCLUDE
   PATTERN "*.bak" EXCLUDE PATTERN "__pycache__" EXCLUDE)
@@ -67,3 +77,14 @@ foreach(folder projects shaders)
   file(CREATE_LINK ../../windloom/${folder} ${CMAKE_BINARY_DIR}/share/links/${folder} SYMBOLIC)
   install(FILES ${CMAKE_BINARY_DIR}/share/links/${folder} DESTINATION ${docs} COMPONENT documentation)
 endforeach()
+file(CREATE_LINK ../doc/windloom/docs ${CMAKE_BINARY_DIR}/share/links/docs SYMBOLIC)
+install(FILES ${CMAKE_BINARY_DIR}/share/links/docs DESTINATION ${data} COMPONENT documentation)
+# Links to what stays with the sources become their words. Every link of the installed pages is looked at by a test.
+install(CODE [=[
+  set(windloom_pages "$ENV{DESTDIR}${CMAKE_INSTALL_PREFIX}/share/doc/windloom")
+  foreach(page README.md docs/README.md docs/architecture.md)
+    file(READ "${windloom_pages}/${page}" text)
+    string(REPLACE "](LICENSE)" "](copyright)" text "${text}")
+    string(REGEX REPLACE "\\[([^]]+)\\]\\((\\.\\./)*(CONTRIBUTING\\.md|tests/README\\.md)\\)" "\\1" text "${text}")
+    file(WRITE "${windloom_pages}/${page}" "${text}")
+  endforeach()]=] COMPONENT documentation)

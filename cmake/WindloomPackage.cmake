@@ -1,9 +1,18 @@
 # Debian packages: `cmake --build build/release --target package`. One for the programs, one for the documentation, one for games
 # that link the runtime library. No maintainer scripts: the caches of MIME types, desktop entries and icons are kept by triggers
 # of Debian's own packages.
-set(maintainer "The Windloom authors <windloom@localhost>")
-if(DEFINED ENV{DEBEMAIL})  # as Debian's own tools have it
-  set(maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+set(name "The Windloom authors")
+set(address "windloom@localhost")
+if(NOT "$ENV{DEBFULLNAME}" STREQUAL "")  # as Debian's own tools have it
+  set(name "$ENV{DEBFULLNAME}")
+endif()
+if("$ENV{DEBEMAIL}" MATCHES "<.+>")
+  set(maintainer "$ENV{DEBEMAIL}")
+else()
+  if(NOT "$ENV{DEBEMAIL}" STREQUAL "")
+    set(address "$ENV{DEBEMAIL}")
+  endif()
+  set(maintainer "${name} <${address}>")
 endif()
 set(WINDLOOM_MAINTAINER "${maintainer}" CACHE STRING "Who answers for the packages, as Debian writes it: NAME <ADDRESS>")
 
@@ -11,6 +20,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME windloom)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT ${WINDLOOM_MAINTAINER})
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")  # each package's description begins with its own line
 set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_CHECKSUM SHA256)
 set(CPACK_COMPONENTS_ALL programs documentation runtime)
@@ -33,9 +43,10 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS "libegl1, libgl1")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_SUGGESTS "windloom-doc, libwindloom-runtime-dev")
 if(WINDLOOM_EDITOR)
   string(APPEND CPACK_DEBIAN_PROGRAMS_PACKAGE_DEPENDS ", fonts-inter, fonts-fork-awesome")
+  set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS xdg-utils)  # opens the folder of an export
 endif()
-# The project's own description is the line before each of these.
-set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "In Windloom an artist draws wind as trees of arrows on a landscape. A gust
+set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "wind editor: draw wind, see grass answer, export it for games
+In Windloom an artist draws wind as trees of arrows on a landscape. A gust
 starts at a tree's root, travels along its branches and drives an
 incompressible wind field, on the GPU or on the CPU; a meadow of a million
 blades and more bends in it while the mouse still moves.
@@ -47,10 +58,11 @@ axes and units of its engine.")
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_NAME windloom-doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SECTION doc)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
-set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_RECOMMENDS windloom)
-set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "The documentation: a guide of ten minutes, the editor's tools and keys, what is exported and in
-which format byte by byte, the solver's equations and its measurements, and a
-small game to copy from.")
+set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_SUGGESTS windloom)
+set(CPACK_DEBIAN_DOCUMENTATION_DESCRIPTION "wind editor (documentation)
+The documentation of Windloom: a tutorial, the editor's tools and keys, what
+is exported and in which format byte by byte, the solver's equations and its
+measurements, and a small game to copy from.")
 
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_NAME libwindloom-runtime-dev)
 set(CPACK_DEBIAN_RUNTIME_PACKAGE_SECTION libdevel)
@@ -58,9 +70,10 @@ set(CPACK_DEBIAN_RUNTIME_PACKAGE_SUGGESTS windloom-doc)
 if(TARGET windloom_runtime_zstd)
   set(CPACK_DEBIAN_RUNTIME_PACKAGE_DEPENDS libzstd-dev)
 endif()
-set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "What a game links to read baked wind: a static library in C, with a header for C++, that loads a wind pack and tells the
-wind at a place and a time. It needs no graphics and no other library of
-Windloom.")
+set(CPACK_DEBIAN_RUNTIME_DESCRIPTION "wind editor (library for games that play its wind)
+What a game links to read baked wind: a static library in C, with a header
+for C++, that loads a wind pack and tells the wind at a place and a time. It
+needs no graphics and no other library of Windloom.")
 
 # What Debian wants beside the files of any other system. The stages of a package are told by their folder.
 foreach(package windloom windloom-doc libwindloom-runtime-dev)

@@ -58,6 +58,10 @@ class Packages(unittest.TestCase):
             for wanted in ("Maintainer", "Description", "Section", "Version", "Architecture", "Installed-Size"):
                 self.assertNotEqual(field(package, wanted), "", f"{name}: {wanted}")
         self.assertEqual(field(self.packages["windloom-doc"], "Architecture"), "all")
+        summaries = {field(package, "Description").split("\n")[0] for package in self.packages.values()}
+        self.assertEqual(len(summaries), 3, summaries)
+        self.assertEqual(field(self.packages["windloom"], "Recommends"), "xdg-utils" if HAS_EDITOR else "")
+        self.assertRegex(field(self.packages["windloom"], "Maintainer"), r"^\S.* <\S+@\S+>$")
 
     def test_same_bytes_twice(self):
         time.sleep(1.1)  # a time in them would show

@@ -6,8 +6,10 @@ PICTURE: keep the editor's picture there.
 """
 import os
 import pathlib
+import posixpath
 import shutil
 import struct
+import subprocess
 import sys
 import unittest
 import zlib
@@ -18,7 +20,9 @@ CMAKE, BUILD, UI_TESTS = sys.argv[1:4]
 KEEP_PICTURE = sys.argv[4] if len(sys.argv) > 4 else ""
 HAS_EDITOR = (pathlib.Path(BUILD) / "bin" / "windloom-editor").exists()
 sys.path.insert(0, UI_TESTS)
-from editor_driver import display, editor  # noqa: E402  (found only now)
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "docs"))
+import markdown  # noqa: E402  (found only now)
+from editor_driver import display, editor  # noqa: E402
 
 
 def png_pixels(file):
@@ -59,7 +63,6 @@ class Programs(unittest.TestCase):
                   "share/doc/windloom/docs/examples/leaves/CMakeLists.txt", "share/windloom/shaders/shared/grid_mapping.h",
                   "share/bash-completion/completions/windloom", "share/zsh/site-functions/_windloom", "include/windloom_runtime.h"]
         source = self.installed.source
-        wanted += [f"share/windloom/{path.relative_to(source)}" for path in source.glob("projects/*/*.wind.json")]
         wanted += [f"share/windloom/{path.relative_to(source)}" for path in (source / "shaders").rglob("*.vert")]
         if HAS_EDITOR:
             wanted += ["bin/windloom-editor", "share/applications/windloom.desktop", "share/mime/packages/windloom.xml",
@@ -78,6 +81,39 @@ class Programs(unittest.TestCase):
             else:
                 program = path.is_dir() or name.startswith("bin/")
                 self.assertEqual(path.stat().st_mode & 0o777, 0o755 if program else 0o644, name)
+
+    def test_samples_are_those_of_the_repository(self):
+        """All that git tracks but the scripts, and nothing that somebody saved there."""
+        listed = subprocess.run(["git", "-C", self.installed.source, "ls-files", "projects"], capture_output=True, text=True)
+        if listed.returncode != 0 or not listed.stdout:
+            self.skipTest("the sources are no repository")
+        wanted = [name.removeprefix("projects/") for name in listed.stdout.split("\n") if name and not name.endswith(".py")]
+        found = [name for name in tree(self.samples) if (self.samples / name).is_file()]
+        self.assertEqual(found, sorted(wanted))
+        self.assertIn("meadow/meadow.wind.json", found)
+
+    def test_links_between_installed_pages_hold(self):
+        """As a browser resolves them, from the folder that a page is opened in."""
+        share = self.installed.prefix / "share"
+        found, count = [], 0
+        for page in [path for path in share.rglob("*.md") if path.is_file()] + sorted((share / "doc/windloom/projects").glob("*/*.md")):
+            for line, _, link in markdown.links(markdown.read_page(share, page.relative_to(share))):
+                path = link.partition("#")[0]
+                if not path or ":" in path:
+                    continue
+                count += 1
+                if not os.path.exists(posixpath.normpath(posixpath.join(str(page.parent), path))):
+                    found.append(f"{page.relative_to(share)}:{line}: {link}")
+        self.assertEqual(found, [])
+        self.assertGreater(count, 150)
+
+    def test_licenses_of_what_is_compiled_in(self):
+        text = (self.installed.prefix / "share/doc/windloom/copyright").read_text()
+        for library in ("imgui", "CLI11", "nlohmann/json", "glm", "tinygltf", "highway", "oneTBB", "openvdb", "Imath"):
+            self.assertIn(library, text)
+        for name in sorted(set(" ".join(line for line in text.split("\n") if line.startswith("License: ")).split())
+                           - {"License:", "and"}):
+            self.assertRegex(text, rf"(?m)^License: {name}\n ", f"the text of {name}")
 
     def test_no_path_of_the_building_machine_is_left(self):
         if cache_value(BUILD, "CMAKE_BUILD_TYPE") != "Release":
