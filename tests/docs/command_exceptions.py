@@ -15,6 +15,8 @@ NEVER = [
     ("docs/examples/leaves/README.md", "windloom-leaves --live", "waits for an editor; game_live_test plays with one"),
     ("docs/benchmarks.md", "tests/bench/window_bench.py", "takes minutes and needs a quiet machine"),
     ("docs/windpack.md", "cc game.c", "installed_library compiles a game so"),
+    ("docs/install.md", "update-mime-database", "desktop_test does so with what was installed"),
+    ("docs/tutorial.md", "~/leaves/windloom-leaves", "game_alone_test builds the game from an installed library"),
 ]
 
 # The same, run in the long form only.

@@ -33,8 +33,9 @@ WITHOUT_FILE = re.compile(r"windloom (bake|render|sample|info|validate) (?!.*(\.
 SHELL = ("sh", "console")
 # What a reader has done before on that page, or elsewhere, without a command.
 BEFORE = {
-    "docs/tutorial.md": ["windloom new projects/meadow/first.wind.json --template breeze",
-                         "windloom bake projects/meadow/first.wind.json --out projects/meadow/first-wind --format windpack --seconds 0.2"],
+    # The home folder is the tree's copy.
+    "docs/tutorial.md": ["windloom new first.wind.json --template breeze",
+                         "windloom bake first.wind.json --out first-wind --format windpack --seconds 0.2"],
     "docs/windpack.md": ["windloom bake projects/meadow/meadow.wind.json --out wind --format windpack --seconds 0.2",
                          "cp wind/wind.windpack ."],
 }

@@ -1,5 +1,5 @@
 """Does with the real editor and the sample game what docs/tutorial.md tells, and takes its pictures: from the sample that
-`./run` opens over an empty field to wind in a game.
+`./run` opens over an empty field to wind in a game. The editor's home is a folder for this alone.
 
 usage: tutorial.py WINDLOOM_EDITOR WINDLOOM WINDLOOM_LEAVES [PICTURE_FOLDER]
 Without a folder the pictures go nowhere: the test that the tutorial can be followed.
@@ -7,7 +7,6 @@ Without a folder the pictures go nowhere: the test that the tutorial can be foll
 import json
 import math
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -63,14 +62,20 @@ def draw_tree(hands):
     for number, (start, end) in enumerate(places, 1):
         app.drag(hands.at(*start), hands.at(*end))
         app.wait_fact("steps", str(number))
-    app.key("Escape")
+    app.key("q")
+    app.wait_fact("tool", "select")
     hands.picture("tree")
+    app.click(hands.at(-22, 7))
+    app.wait("the trunk to be selected", lambda: app.fact("selection").startswith("Arrow"))
+    app.key("bracketright")
+    app.wait_fact("steps", "4")
+    app.key("ctrl+z")
+    app.wait_fact("steps", "3")
     return places
 
 
 def give_a_pulse(hands):
     app = hands.app
-    app.key("q")
     app.click(hands.at(-36, 12))
     app.wait("the root to be selected", lambda: app.fact("selection").startswith("Point"))
     hands.choose("inspector/signal/kind", "pulse")
@@ -112,8 +117,12 @@ def watch(hands):
 
 def export(hands, folder):
     hands.app.key("ctrl+shift+e")
+    app = hands.app
+    app.point_at(app.centre("export/preset"))
+    app.xdotool("click", "--repeat", 3, "--delay", 50, 5)  # the window is small: down to where the length is
+    hands.type_into("export/seconds", "6")
     hands.app.press("export/start")
-    hands.app.wait("the export's end", lambda: (folder / "first-wind" / "manifest.json").exists(), 240)
+    hands.app.wait("the export's end", lambda: (folder / "first-wind" / "manifest.json").exists(), 480)
     hands.picture("export", rest=1)
 
 
@@ -128,6 +137,8 @@ def check_result(windloom, folder, places):
     velocity = json.loads(told.stdout)["samples"][0]["velocity"]
     check(math.hypot(*velocity) > 1, f"the pulse must have reached the tips: {velocity}")
     check((folder / "first-wind" / "wind.windpack").exists(), "the export holds a pack")
+    frames = json.loads((folder / "first-wind" / "manifest.json").read_text())["time"]["frames"]
+    check(frames == 90, f"6 s at 15 frames a second are 90 frames, not {frames}")
 
 
 def play(windloom_leaves, environment, folder, pictures):
@@ -150,19 +161,22 @@ def start_anew(hands):
 
 
 def save(hands, folder):
-    hands.app.key("ctrl+s")
-    hands.app.wait_fact("dialog", "save as")
-    hands.app.choose_path("first.wind.json")  # in the folder that the dialog begins with
-    hands.app.wait_fact("dirty", "no")
-    check((folder / "first.wind.json").exists(), "the dialog begins in the sample's folder")
+    app = hands.app
+    app.key("ctrl+s")
+    app.wait_fact("dialog", "save as")
+    app.centre("files/folder")  # until the dialog rests
+    left, top, _, height = app.read_map()[1]["files/folder"]
+    app.click((left - height, top + height / 2))  # the house button, at its left
+    app.press("files/name")
+    app.choose_path("first.wind.json")
+    app.wait_fact("dirty", "no")
+    check((folder / "first.wind.json").exists(), "the house button leads to the home folder")
 
 
 def follow(programs, sample, pictures):
     with tempfile.TemporaryDirectory(prefix="windloom-tutorial-") as name, display(SIZE) as environment:
-        folder = pathlib.Path(name) / "projects/meadow"
-        folder.mkdir(parents=True)
-        shutil.copy(sample, folder)
-        with editor(programs[0], environment, pathlib.Path(name), str(folder / "meadow.wind.json"), size=SIZE) as app:
+        folder = pathlib.Path(name)
+        with editor(programs[0], environment, folder, str(sample), size=SIZE) as app:
             hands = Hands(app, pictures)
             start_anew(hands)
             places = draw_tree(hands)
@@ -178,7 +192,8 @@ def follow(programs, sample, pictures):
 
 def main():
     programs = sys.argv[1:4]
-    sample = pathlib.Path(__file__).resolve().parents[2] / "projects/meadow/meadow.wind.json"
+    # Where the editor finds its samples, as ./run opens it.
+    sample = pathlib.Path(programs[0]).resolve().parents[1] / "share/windloom/projects/meadow/meadow.wind.json"
     with tempfile.TemporaryDirectory(prefix="windloom-tutorial-") as nowhere:
         follow(programs, sample, pathlib.Path(sys.argv[4] if len(sys.argv) > 4 else nowhere))
     print("the tutorial can be followed")
