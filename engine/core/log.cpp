@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <mutex>
+#include <new>
 #include <utility>
 
 #include "engine/core/text.hpp"
@@ -25,9 +26,16 @@ void write(LogLevel level, std::string_view message) {
   Log& state = log();
   const std::lock_guard lock(state.mutex);
   if (level < state.level) return;
-  const std::string shown = printableLines(message);
-  std::fprintf(stderr, "%s%s\n", kPrefix[static_cast<int>(level)], shown.c_str());
-  if (state.sink) state.sink(level, shown);
+  std::fputs(kPrefix[static_cast<int>(level)], stderr);
+  std::string shown;
+  try {
+    shown = printableLines(message);
+  } catch (const std::bad_alloc&) {
+    // That memory ends is told from where nothing may be thrown.
+    for (const char c : message) std::fputc(static_cast<unsigned char>(c) < 0x20 || c == 0x7F ? ' ' : c, stderr);
+  }
+  std::fprintf(stderr, "%s\n", shown.c_str());
+  if (state.sink && !shown.empty()) state.sink(level, shown);
 }
 
 }  // namespace
