@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "engine/cli/bezier_options.hpp"
+#include "engine/cli/option_checks.hpp"
 
 namespace windloom::cli {
 namespace {
@@ -36,17 +37,18 @@ void addBezierOptions(CLI::App& app, BezierOptions& options) {
          "Bezier grass by patch, by the culling test that leaves blades out, by collision strength, or as edges of "
          "triangles: patches, culled, strength, wireframe")
       ->type_name("NAME")
-      ->check(CLI::IsMember(views));
+      ->check(oneOf(views));
   app.add_option(
          "--no-culling", options.noTests,
          "Culling tests of Bezier blades to leave out: orientation, frustum, distance, occlusion; all: these, and "
          "the patches' test as well")
       ->type_name("TEST[,TEST]")
       ->delimiter(',')
-      ->check(CLI::IsMember(tests));
+      ->allow_extra_args(false)
+      ->check(oneOf(tests));
   app.add_option("--samples", options.samples, "Samples a pixel: 1, 2, 4 or 8 (default: what suits the machine)")
       ->type_name("N")
-      ->check(CLI::IsMember({1, 2, 4, 8}));
+      ->check(oneOf({"1", "2", "4", "8"}));
 }
 
 void applyBezierOptions(const BezierOptions& options, Session::View& view) {

@@ -3,18 +3,20 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
-#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
+#include "engine/cli/words.hpp"
 #include "engine/core/log.hpp"
 #include "engine/core/text.hpp"
 
@@ -69,6 +71,15 @@ std::optional<std::pair<int, int>> parsePart(const std::string& text) {
   return std::pair(static_cast<int>(*first), static_cast<int>(*last));
 }
 
+/// Who gives one number may have meant how many frames.
+Error withLengthHint(const Options& options, Error error) {
+  if (error.kind != ErrorKind::Usage || options.part.empty() || options.part.find('-') != std::string::npos)
+    return error;
+  error.problems.back().message +=
+      "; --frames takes a range A-B (" + options.part + " alone is that one frame); the length is --seconds";
+  return error;
+}
+
 /// Which frames: --steps alone gives the one field that many steps after --from; with --fps all frames up to there.
 Result<RecordPlan> planOf(const Options& options, const Project& project) {
   RecordPlan plan;
@@ -77,9 +88,9 @@ Result<RecordPlan> planOf(const Options& options, const Project& project) {
     return makeError(ErrorKind::Usage, "--from lies before --initial-time");
   }
   if (options.warmUp && *options.warmUp > plan.from) {
-    return makeError(ErrorKind::Usage, "--warm-up " + shortest(*options.warmUp) +
-                                           " begins before the project's time 0; use --from " +
-                                           shortest(*options.warmUp) + " or later");
+    return makeError(ErrorKind::Usage, "--warm-up " + plain(*options.warmUp) +
+                                           " begins before the project's time 0; use --from " + plain(*options.warmUp) +
+                                           " or later");
   }
   plan.fps = options.fps.value_or(kDefaultFps);
   double frames = 1;
@@ -112,7 +123,7 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
     std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     const WriterKind* kind = writerKindNamed(name);
     if (kind == nullptr) {
-      return makeError(ErrorKind::Usage, "--format: found '" + name + "', expected of " + namesOf(writerKinds()));
+      return makeError(ErrorKind::Usage, "--format: found '" + name + "', expected one of " + namesOf(writerKinds()));
     }
     if (std::find(request.formats.begin(), request.formats.end(), kind) == request.formats.end())
       request.formats.push_back(kind);
@@ -140,13 +151,41 @@ Result<BakeRequest> requestOf(const Options& options, const Project& project) {
   if (!options.part.empty()) {
     request.part = parsePart(options.part);
     if (!request.part) {
-      return makeError(ErrorKind::Usage, "--frames: found '" + options.part + "', expected A-B, both counted from 0");
+      return withLengthHint(options, makeError(ErrorKind::Usage, "--frames: found '" + options.part +
+                                                                     "', expected A-B, both counted from 0"));
     }
   }
   const Result<RecordPlan> plan = planOf(options, project);
   if (!plan) return plan.error();
   request.plan = *plan;
   return request;
+}
+
+/// "7", "3-17"
+std::string rangeText(int first, int last) {
+  return std::to_string(first) + (first == last ? "" : "-" + std::to_string(last));
+}
+
+/// "30 frames", or of a part "frame 7 of 30".
+std::string framesOf(const BakeHeader& header) {
+  const int written = header.last - header.first + 1;
+  if (written >= header.frames) return counted(static_cast<std::uint64_t>(header.frames), "frame");
+  return (written == 1 ? "frame " : "frames ") + rangeText(header.first, header.last) + " of " +
+         std::to_string(header.frames);
+}
+
+/// Which frames are missing, and where the others are until then: in a folder that `ls` doesn't list.
+void printMissing(const Options& options, const BakeReport& report) {
+  std::string missing;
+  for (const auto& [first, last] : report.missing) missing += (missing.empty() ? "" : ", ") + rangeText(first, last);
+  const bool one = report.missing.size() == 1 && report.missing.front().first == report.missing.front().second;
+  std::printf("part of a bake: %s %s still missing (%s, counted from 0)", one ? "frame" : "frames",
+              (missing + (one ? " is" : " are")).c_str(), counted(report.missing.size(), "range").c_str());
+  if (!report.files.empty()) {
+    const auto folder = std::filesystem::path(options.out) / std::filesystem::path(report.files.front()).parent_path();
+    std::printf("; until then the files wait in %s", folder.c_str());
+  }
+  std::printf("\n");
 }
 
 void printReport(const Options& options, const BakeReport& report, Backend backend, double wallSeconds) {
@@ -170,25 +209,18 @@ void printReport(const Options& options, const BakeReport& report, Backend backe
     printJson(json);
     return;
   }
-  std::printf(
-      "%s: %zu files, %s MB: %d frames of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
-      printable(options.out).c_str(), report.files.size(), fixed(static_cast<double>(report.bytes) / 1e6, 1).c_str(),
-      header.frames, header.grid.resolution.x, header.grid.resolution.y, shortest(header.fps).c_str(),
-      fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend), fixed(wallSeconds, 1).c_str());
+  std::printf("%s: %s, %s MB: %s of %d x %d cells at %s a second, fastest wind %s m/s (%s, %s s)\n",
+              printable(options.out).c_str(), counted(report.files.size(), "file").c_str(),
+              fixed(static_cast<double>(report.bytes) / 1e6, 1).c_str(), framesOf(header).c_str(),
+              header.grid.resolution.x, header.grid.resolution.y, plain(header.fps).c_str(),
+              fixed(static_cast<double>(header.fastest), 2).c_str(), backendName(backend),
+              fixed(wallSeconds, 1).c_str());
   if (header.crossfade > 0 && report.complete) {
     std::printf("loop: from the last frame to the first the wind changes by at most %s m/s, between others by %s m/s\n",
                 fixed(static_cast<double>(report.seam.seam), 2).c_str(),
                 fixed(static_cast<double>(report.seam.step), 2).c_str());
   }
-  if (!report.complete) {
-    std::string missing;
-    for (const auto& [first, last] : report.missing)
-      missing.append(missing.empty() ? "" : ", ")
-          .append(std::to_string(first))
-          .append("-")
-          .append(std::to_string(last));
-    std::printf("part of a bake: frames %s are still missing\n", missing.c_str());
-  }
+  if (!report.complete) printMissing(options, report);
 }
 
 int listFormats(const Options& options) {
@@ -242,7 +274,7 @@ int runBake(const Options& options) {
       return !interrupted();
     });
   }
-  if (!report) return reportError(report.error(), options);
+  if (!report) return reportError(withLengthHint(options, report.error()), options);
   if (report->cancelled) {
     reportError(makeError(ErrorKind::Machine, "the bake was cancelled; nothing was written"), options);
     return kExitInterrupted;
@@ -280,16 +312,15 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_option("--steps", options->steps,
                  "Count in solver steps: write the one field N steps after --from, or with --fps all frames up to it")
       ->type_name("N")
-      ->check(CLI::Range(0L, kMaxSteps))
+      ->transform(wholeFrom(0, kMaxSteps))
       ->excludes(seconds);
   app.add_option("--resolution", options->resolution,
                  "Cells of the written frames; the wind always runs on the project's (default: the same)")
       ->type_name("WxH");
   app.add_flag("--loop", options->loop, "Blend the end into the start, so that the recording repeats without a jump");
-  app.add_option(
-         "--frames", options->part,
-         "Write only frames A to B of the recording, the same bytes as in the whole: for render farms. Bakes of "
-         "other ranges into the same folder complete it")
+  app.add_option("--frames", options->part,
+                 "Write only frames A to B of the recording, counted from 0, or one: A. They have the same bytes as in "
+                 "the whole: for render farms. Bakes of other ranges into the same folder complete it")
       ->type_name("A-B");
   app.add_option("--warm-up", options->warmUp,
                  "Let the wind blow only so long before --from, instead of from the project's start, s")
@@ -297,7 +328,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
       ->check(numberFrom(0.0, kMaxSeconds));
   app.add_option("--space", options->space,
                  "What images hold: world velocity, or uv: texture coordinates a second for panning shaders")
-      ->check(CLI::IsMember({"world", "uv"}))
+      ->check(oneOf({"world", "uv"}))
       ->capture_default_str();
   app.add_flag("--response", options->response,
                "Also how plants of four stiffnesses lean (rad), solved with springs, in every format");
@@ -305,7 +336,7 @@ VerbAction makeBakeVerb(CLI::App& app) {
   app.add_flag("--no-sidecars", options->noSidecars, "No how-to, shader code and import settings beside the files");
   app.add_option("--layers", options->profile.layers, "Layers of volumes, from the ground up")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxBakeLayers))
+      ->transform(wholeFrom(1, kMaxBakeLayers))
       ->capture_default_str();
   app.add_option("--top", options->profile.top, "Height of volumes, m")
       ->type_name("M")

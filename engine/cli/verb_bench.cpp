@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "engine/cli/bench.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
@@ -39,7 +40,7 @@ Result<std::vector<const BenchScene*>> scenesOf(const Options& options) {
   for (const std::string& name : options.scenes) {
     const BenchScene* scene = findScene(name);
     if (scene == nullptr) {
-      return makeError(ErrorKind::Usage, "found the scene '" + name + "', expected of " + sceneNames());
+      return makeError(ErrorKind::Usage, "found the scene '" + name + "', expected one of " + sceneNames());
     }
     scenes.push_back(scene);
   }
@@ -153,15 +154,18 @@ VerbAction makeBenchVerb(CLI::App& app) {
   app.add_option("--cells", options->cells, "Scene solver: cells along a side of the fields, separated by commas")
       ->type_name("N[,N...]")
       ->delimiter(',')
-      ->check(CLI::Range(16, 8192));
+      ->allow_extra_args(false)
+      ->transform(wholeFrom(16, 8192));
   app.add_option("--blades", options->blades, "Scenes meadow and picture: millions of blades, separated by commas")
       ->type_name("N[,N...]")
       ->delimiter(',')
-      ->check(CLI::Range(1, 200));
+      ->allow_extra_args(false)
+      ->transform(wholeFrom(1, 200));
   app.add_option("--views", options->views, "Scene picture: only these of eye, over, top")
       ->type_name("NAME[,NAME]")
       ->delimiter(',')
-      ->check(CLI::IsMember({"eye", "over", "top"}));
+      ->allow_extra_args(false)
+      ->check(oneOf({"eye", "over", "top"}));
   app.add_option("--size", options->size, "Pixels of the scenes that draw (default 1920x1080)")->type_name("WxH");
   app.add_option("--pictures", options->pictures,
                  "Scene picture: also write what it compares, and the differences, there")

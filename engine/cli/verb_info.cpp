@@ -6,9 +6,10 @@
 
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
-#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
+#include "engine/cli/words.hpp"
 #include "engine/core/text.hpp"
 #include "engine/grass/bezier_placement.hpp"
 #include "engine/grass/shell_texture.hpp"
@@ -111,7 +112,7 @@ std::string megabytes(double bytes) {
   return fixed(bytes / 1e6, 1) + " MB";
 }
 std::string metres(float value) {
-  return shortest(value);
+  return plain(value);
 }
 
 Json vectorJson(glm::vec2 v) {
@@ -135,7 +136,7 @@ void printSurfaces(const std::vector<Surface>& surfaces) {
   for (const Surface& surface : surfaces) {
     std::string what = std::string(choiceName(surface, "shape"));
     what += surface.shape == SurfaceShape::Mesh ? " " + printable(surface.file) : " of " + metres(surface.size) + " m";
-    if (surface.mesh) what += ", " + std::to_string(surface.mesh->indices.size() / 3) + " triangles";
+    if (surface.mesh) what += ", " + counted(surface.mesh->indices.size() / 3, "triangle");
     std::printf("surface    %s: %s, %s blades per m^2\n", label(surface).c_str(), what.c_str(),
                 metres(surface.density).c_str());
   }
@@ -176,7 +177,7 @@ void printTerrain(const TerrainSettings& terrain) {
   }
   const HeightSource& source = *field->source;
   const std::string from = source.triangles > 0
-                               ? std::to_string(source.triangles) + " triangles"
+                               ? counted(static_cast<std::uint64_t>(source.triangles), "triangle")
                                : std::to_string(source.pixels.x) + " x " + std::to_string(source.pixels.y) + " pixels";
   std::printf("terrain    %s, %s, %s as %d x %d samples (%s)\n", std::string(terrainName(terrain)).c_str(),
               printable(terrain.file).c_str(), from.c_str(), source.samples.x, source.samples.y,
@@ -266,24 +267,27 @@ void printInfoText(const Options& options, const Project& project, const std::ve
   std::printf("field      %s x %s m around (%s, %s), %d x %d cells of %s x %s m\n", metres(field.size.x).c_str(),
               metres(field.size.y).c_str(), metres(field.centre.x).c_str(), metres(field.centre.y).c_str(),
               field.resolution.x, field.resolution.y, metres(cell.x).c_str(), metres(cell.y).c_str());
-  std::printf("graph      %zu points, %zu arrows, %zu roots, %zu signals\n", project.graph->points.size(),
-              project.graph->arrows.size(), roots.size(), project.graph->signals.size());
+  std::printf("graph      %s, %s, %s, %s\n", counted(project.graph->points.size(), "point").c_str(),
+              counted(project.graph->arrows.size(), "arrow").c_str(), counted(roots.size(), "root").c_str(),
+              counted(project.graph->signals.size(), "signal").c_str());
   if (!project.graph->points.empty()) {
     const Extent extent = extentOf(project.graph->points);
     std::printf("extent     x %s to %s m, z %s to %s m\n", metres(extent.min.x).c_str(), metres(extent.max.x).c_str(),
                 metres(extent.min.y).c_str(), metres(extent.max.y).c_str());
   }
-  std::printf(
-      "others     %zu obstacles, %zu species, %zu colliders, %zu surfaces, %zu rotors, %zu probes, %zu cameras\n",
-      project.obstacles->size(), project.species->size(), project.colliders->size(), project.surfaces->size(),
-      project.rotors->size(), project.probes->size(), project.cameras->size());
+  std::printf("others     %s, %s, %s, %s, %s, %s, %s\n", counted(project.obstacles->size(), "obstacle").c_str(),
+              counted(project.species->size(), "species", "species").c_str(),
+              counted(project.colliders->size(), "collider").c_str(),
+              counted(project.surfaces->size(), "surface").c_str(), counted(project.rotors->size(), "rotor").c_str(),
+              counted(project.probes->size(), "probe").c_str(), counted(project.cameras->size(), "camera").c_str());
   std::printf("ambient    %s m/s towards %s deg\n", metres(project.ambient->speed).c_str(),
               metres(project.ambient->direction).c_str());
   printTerrain(*project.terrain);
-  std::printf("grass      %s, %s blades\n", std::string(choiceName(*project.grass, "kind")).c_str(),
-              std::to_string(sizes.blades).c_str());
+  std::printf("grass      %s, %s\n", std::string(choiceName(*project.grass, "kind")).c_str(),
+              counted(static_cast<std::uint64_t>(sizes.blades), "blade").c_str());
   if (project.grass->kind == GrassKind::Shell) {
-    std::printf("           %d shells, %s of textures that repeat every %s m\n", project.shell->shells,
+    std::printf("           %s, %s of textures that repeat every %s m\n",
+                counted(static_cast<std::uint64_t>(project.shell->shells), "shell").c_str(),
                 megabytes(static_cast<double>(sizes.shellTextures)).c_str(), metres(project.shell->tile).c_str());
   }
   printSurfaces(*project.surfaces);
@@ -295,7 +299,7 @@ void printInfoText(const Options& options, const Project& project, const std::ve
   printArrivals(project, arrivals);
   std::printf("memory     %s for the velocity field\n", megabytes(sizes.field).c_str());
   std::printf("export     a second of %s frames at full resolution, in each format at most or about:\n",
-              shortest(options.fps).c_str());
+              plain(options.fps).c_str());
   for (const WriterKind& kind : writerKinds()) {
     std::printf("  %-14s %10s\n", std::string(kind.name).c_str(),
                 megabytes(static_cast<double>(exportBytes(kind, project, options.fps))).c_str());

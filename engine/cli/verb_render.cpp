@@ -7,19 +7,23 @@
 #include "engine/cli/bezier_options.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
-#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/option_limits.hpp"
+#include "engine/cli/output_path.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
+#include "engine/cli/words.hpp"
 #include "engine/core/text.hpp"
 #include "engine/gpu/context.hpp"
 #include "engine/gpu/framebuffer.hpp"
 #include "engine/gpu/memory_failure.hpp"
 #include "engine/gpu/shader_library.hpp"
 #include "engine/io/image.hpp"
+#include "engine/model/parameters.hpp"
+#include "engine/model/validate.hpp"
 #include "engine/render/framing.hpp"
 #include "engine/session/session.hpp"
 
@@ -85,8 +89,22 @@ Result<Project> projectOf(const Options& options) {
   if (options.deformation == "arc") grass.deformation = Deformation::Arc;
   if (options.deformation == "quadratic") grass.deformation = Deformation::Quadratic;
   if (options.deformation == "inertial") grass.deformation = Deformation::Inertial;
+  if (options.density) {
+    Project denser = *project;
+    denser.grass = std::make_shared<GrassSettings>(grass);
+    // A file with so many blades would be refused.
+    if (const auto problems = validateChange(denser, *project); !problems.empty())
+      return usage("--density " + plain(*options.density) + ": " + problems.front().message);
+  }
   project->grass = std::make_shared<GrassSettings>(grass);
   return project;
+}
+
+/// As in a project file.
+double mostDensity() {
+  for (const Parameter<GrassSettings>& parameter : parametersOf<GrassSettings>())
+    if (parameter.info.key == "density") return parameter.info.max;
+  return 0;
 }
 
 /// IMG.png, or IMG.0000.png and so on where there are several.
@@ -193,6 +211,7 @@ int render(const Options& options) {
     return reportError(usage("--grass: found '" + options.grass + "', expected instanced, bezier, shell or none"),
                        options);
   }
+  if (const Status there = requireFolderOf(options.out); !there) return reportError(there.error(), options);
   const auto size = parsePair(options.size, kMaxRenderSide);
   if (!size) return reportError(pairExpected("--size", options.size, kMaxRenderSide, "pixels"), options);
   const Result<Overlays> overlays = overlaysByName(options.overlays);
@@ -230,13 +249,14 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_option("file", options->file, "Project file (NAME.wind.json)")->required();
   app.add_option("--out", options->out, "Picture to write; several become IMG.0000.png and so on")
       ->type_name("IMG.png")
+      ->check(pngName())
       ->required();
   app.add_option("--time", options->time, "Moment of the (first) picture in seconds")
       ->type_name("S")
       ->check(numberFrom(0.0, kMaxSeconds));
   app.add_option("--frames", options->frames, "How many pictures")
       ->type_name("N")
-      ->check(CLI::Range(1, kMaxRenderFrames));
+      ->transform(wholeFrom(1, kMaxRenderFrames));
   app.add_option("--fps", options->fps, "Pictures a second of simulated time (default 30)")
       ->type_name("N")
       ->check(numberFrom(0.01, 1000.0));
@@ -248,7 +268,8 @@ VerbAction makeRenderVerb(CLI::App& app) {
   for (const OverlayKind& kind : overlayKinds()) overlays.emplace_back(kind.name);
   offer(app.add_option("--overlay", options->overlays, overlayNames() + " (the default)")
             ->type_name("NAME[,NAME]")
-            ->delimiter(','),
+            ->delimiter(',')
+            ->allow_extra_args(false),
         overlays);
   app.add_option("--resolution", options->resolution, "Cells of the wind instead of the project's")->type_name("WxH");
   addSolverOption(app, options->solver);
@@ -259,10 +280,10 @@ VerbAction makeRenderVerb(CLI::App& app) {
   app.add_option("--deformation", options->deformation,
                  "How blades bend instead of the project's: arc, quadratic, inertial")
       ->type_name("NAME")
-      ->check(CLI::IsMember({"arc", "quadratic", "inertial"}));
+      ->check(oneOf({"arc", "quadratic", "inertial"}));
   app.add_option("--density", options->density, "Blades per square metre instead of the project's")
       ->type_name("N")
-      ->check(numberFrom(0.0, 5000.0));
+      ->check(numberFrom(0.0, mostDensity()));
   app.add_option("--detail", options->detail, "Part of the grass's full detail, 0.02 to 1 (default 1)")
       ->type_name("D")
       ->check(numberFrom(0.02, 1.0));

@@ -6,12 +6,13 @@
 #include "engine/bake/bake.hpp"
 #include "engine/cli/common.hpp"
 #include "engine/cli/interrupt.hpp"
-#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/progress.hpp"
 #include "engine/cli/project_option.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
+#include "engine/cli/words.hpp"
 #include "engine/core/text.hpp"
 
 namespace windloom::cli {
@@ -39,8 +40,8 @@ std::optional<glm::vec2> parsePosition(const std::string& text) {
 Error outsideError(const Options& options, const Place& place, const FieldSettings& field) {
   const glm::vec2 low = field.centre - field.size * 0.5f, high = field.centre + field.size * 0.5f;
   return makeError(ErrorKind::BadInput, options.file, {},
-                   place.name + " lies outside the field, which goes from x " + shortest(low.x) + " to " +
-                       shortest(high.x) + " and z " + shortest(low.y) + " to " + shortest(high.y));
+                   place.name + " lies outside the field, which goes from x " + plain(low.x) + " to " + plain(high.x) +
+                       " and z " + plain(low.y) + " to " + plain(high.y));
 }
 
 /// The places asked for, or the project's probes.
@@ -49,7 +50,7 @@ Result<std::vector<Place>> placesOf(const Options& options, const Project& proje
   for (const std::string& text : options.at) {
     const std::optional<glm::vec2> position = parsePosition(text);
     if (!position) return makeError(ErrorKind::Usage, "--at: found '" + text + "', expected X,Z in metres");
-    places.push_back({shortest(position->x) + "," + shortest(position->y), *position});
+    places.push_back({plain(position->x) + "," + plain(position->y), *position});
   }
   if (places.empty()) {
     for (const Probe& probe : *project.probes) {
@@ -95,7 +96,8 @@ void printSampleJson(const Options& options, Simulation& simulation, const std::
 void printSampleTable(Simulation& simulation, const std::vector<Place>& places) {
   std::size_t width = 5;
   for (const Place& place : places) width = std::max(width, printable(place.name).size());
-  std::printf("wind after %s s (%ld steps, %s)\n", fixed(simulation.time(), 3).c_str(), simulation.steps(),
+  std::printf("wind after %s s (%s, %s)\n", fixed(simulation.time(), 3).c_str(),
+              counted(static_cast<std::uint64_t>(simulation.steps()), "step").c_str(),
               backendName(simulation.solver().backend()));
   std::printf("%-*s  speed m/s  direction deg   vx m/s   vz m/s\n", static_cast<int>(width), "place");
   for (const Place& place : places) {

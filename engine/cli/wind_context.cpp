@@ -1,6 +1,6 @@
 #include "engine/cli/wind_context.hpp"
 
-#include "engine/cli/number_range.hpp"
+#include "engine/cli/option_checks.hpp"
 #include "engine/cli/option_limits.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/session/solver_scheme.hpp"
@@ -42,7 +42,7 @@ void addRunOptions(CLI::App& app, RunOptions& options) {
   addSolverOption(app, options.solver);
   app.add_option("--threads", options.threads, "Threads of the CPU backend (default: all; results are the same)")
       ->type_name("N")
-      ->check(CLI::Range(1, 256));
+      ->transform(wholeFrom(1, 256));
 }
 
 Status useSolver(Project& project, const std::string& name) {

@@ -261,7 +261,7 @@ class Verbs(unittest.TestCase):
         text = self.expect(DONE, "info", path).stdout
         self.assertIn("1 (band): moebius of 6 m, 1500 blades per m^2", text)
         self.assertIn("3: 12 m over the ground", text)
-        self.assertIn("2: mesh hill.gltf, 1 triangles", text)
+        self.assertIn("2: mesh hill.gltf, 1 triangle,", text)
 
     def test_info_tells_the_textures_of_shell_grass(self):
         path = self.folder / "shells.wind.json"
