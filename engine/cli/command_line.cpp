@@ -1,21 +1,35 @@
 #include "engine/cli/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
-#include <cstring>
 
 #include "engine/cli/common.hpp"
+#include "engine/cli/usage_text.hpp"
 
 namespace windloom::cli {
 namespace {
 
-int usageError(const CLI::App& app, const CLI::ParseError& error, const CommonOptions& options) {
+int usageError(CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);  // --help, --version
-  const int status = reportError(makeError(ErrorKind::Usage, error.what()), options);
+  CommonOptions options;
+  options.json = std::ranges::find(words, "--json") != words.end();
+  const int status = reportError(makeError(ErrorKind::Usage, usageProblem(app, error, words)), options);
   const auto chosen = app.get_subcommands();
   std::fprintf(stderr, "Run 'windloom %s--help' for how to use it.\n",
                chosen.empty() ? "" : (chosen.front()->get_name() + " ").c_str());
   return status;
+}
+
+/// `help VERB` is `VERB --help`.
+std::vector<std::string> withHelpAsOption(std::vector<std::string> words) {
+  if (words.empty() || words.front() != "help") return words;
+  std::string about = words.size() > 1 && !words[1].starts_with('-') ? words[1] : "";
+  const bool known = std::ranges::any_of(verbs(), [&](const Verb& verb) { return verb.name == about; });
+  if (!known && !about.empty()) return {about};  // which is told to be none
+  words = known ? std::vector<std::string>{about} : std::vector<std::string>{};
+  words.emplace_back("--help");
+  return words;
 }
 
 }  // namespace
@@ -32,6 +46,7 @@ std::unique_ptr<CLI::App> makeApp(VerbAction& chosen) {
       "'windloom VERB --help' explains a verb. Exit status: 0 done; 1 the input is wrong; 2 wrong usage; "
       "3 this machine can't.");
   app->require_subcommand(1);
+  app->formatter(helpFormatter());
   for (const Verb& verb : verbs()) {
     CLI::App* command = app->add_subcommand(verb.name, verb.summary);
     if (verb.kind == VerbKind::Developer) command->group("");
@@ -43,12 +58,11 @@ std::unique_ptr<CLI::App> makeApp(VerbAction& chosen) {
 std::optional<VerbAction> parseCommandLine(int argc, const char* const* argv, int& exitStatus) {
   VerbAction action;
   const std::unique_ptr<CLI::App> app = makeApp(action);
-  CommonOptions options;
-  for (int i = 1; i < argc; ++i) options.json = options.json || std::strcmp(argv[i], "--json") == 0;
+  const std::vector<std::string> words = withHelpAsOption({argv + std::min(argc, 1), argv + argc});
   try {
-    app->parse(argc, argv);
+    app->parse(std::vector<std::string>(words.rbegin(), words.rend()));  // CLI11 wants them from the last to the first
   } catch (const CLI::ParseError& error) {
-    exitStatus = usageError(*app, error, options);
+    exitStatus = usageError(*app, error, words);
     return std::nullopt;
   }
   return action;

@@ -41,7 +41,57 @@ class Messages(unittest.TestCase):
         self.assertEqual(done.stderr.splitlines()[0], "windloom: " + message, arguments)
         self.assertEqual(done.stdout, "")
 
+    # Verbs and options
+
+    def test_a_word_that_is_no_verb(self):
+        self.told(f"'redner' is no verb; did you mean render? Verbs: {VERBS}", "redner", "my.wind.json")
+        self.told(f"'bak' is no verb; did you mean bake? Verbs: {VERBS}", "bak")
+        self.told(f"'frobnicate' is no verb. Verbs: {VERBS}", "frobnicate")
+        self.told(f"'redner' is no verb; did you mean render? Verbs: {VERBS}", "redner", "info", "my.wind.json")
+        self.told(f"expected a verb: {VERBS}")
+        errors = json.loads(self.say(USAGE, "redner", "--json").stdout)["errors"]
+        self.assertIn("did you mean render?", errors[0]["message"])
+
+    def test_help_is_a_word_too(self):
+        self.assertEqual(self.say(DONE, "help").stdout, self.say(DONE, "--help").stdout)
+        self.assertEqual(self.say(DONE, "help", "render").stdout, self.say(DONE, "render", "--help").stdout)
+        self.told(f"'redner' is no verb; did you mean render? Verbs: {VERBS}", "help", "redner")
+
+    def test_a_project_in_the_place_of_the_verb(self):
+        self.told(f"'my.wind.json' is no verb; to open it: windloom edit my.wind.json. Verbs: {VERBS}", "my.wind.json")
+        self.told(f"'my one.wind.json' is no verb; to open it: windloom edit 'my one.wind.json'. Verbs: {VERBS}",
+                  "my one.wind.json")
+        self.told("'my.wind.json' stands before the verb: windloom info my.wind.json", "my.wind.json", "info")
+
+    def test_an_unknown_option_is_named(self):
+        self.told("no option --versoin; did you mean --version?", "--versoin")
+        self.told("no option --output; did you mean --out?", "bake", "my.wind.json", "--output", "b", "--format", "npy")
+        self.told("no option --output; did you mean --out?", "bake", "my.wind.json", "--output=b", "--format", "npy")
+        self.told("no option --output; did you mean --out?", "render", "my.wind.json", "--output", "b.png")
+        self.told("no option --quux", "info", "my.wind.json", "--quux", "7")
+        self.told("--allow-outside stands behind the verb: windloom info ... --allow-outside", "--allow-outside", "info", "my.wind.json")
+
+    def test_too_few_and_too_many_words(self):
+        self.told("expected FILE: Project file (NAME.wind.json)", "info")
+        self.told("expected --out IMG.png", "render", "my.wind.json")
+        self.told("--out: expected DIR after it", "bake", "my.wind.json", "--out")
+        self.told("--out can be given only once", "bake", "my.wind.json", "--out", "a", "--out", "b")
+        self.told("found 'b.wind.json', expected only options there", "info", "my.wind.json", "b.wind.json", "c.wind.json")
+
     # Values
+
+    def test_lists_that_were_torn(self):
+        message = "--format takes one word: separate its values by commas without blanks, --format png,png16"
+        bake = ("bake", "my.wind.json", "--out", "o", "--format")
+        self.told(message, *bake, "png", "png16")
+        self.told(message, *bake, "png,", "png16")
+        self.told(message.replace("png,png16", "png,exr,npy"), *bake, "png", "exr", "npy", "--loop")
+        self.told(message, "bake", "--format", "png", "png16", "my.wind.json", "--out", "o")
+        self.told("--overlay takes one word: separate its values by commas without blanks, --overlay arrows,streamlines",
+                  "render", "my.wind.json", "--out", "a.png", "--overlay", "arrows", "streamlines")
+        text = self.say(DONE, "bake", "--help").stdout
+        self.assertRegex(text, r"--format F\[,F\.\.\.\] +What")
+        self.assertNotIn(" ...", self.say(DONE, "render", "--help").stdout)
 
     def test_a_list_does_not_take_the_file_behind_it(self):
         self.told("--camera: found 'nobody', expected one of above",
