@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/cli/common.hpp"
+#include "engine/cli/output_path.hpp"
 #include "engine/cli/program_help.hpp"
 #include "engine/cli/verbs.hpp"
 #include "engine/cli/wind_context.hpp"
@@ -37,7 +38,19 @@ std::string templateNames() {
   return names;
 }
 
-int writeNew(const Options& options) {
+/// As the editor names what it saves: "gusts v1.2" has no ending, whatever follows its point. What is neither file nor
+/// folder (/dev/null) keeps its name, by which it is refused.
+Result<std::string> projectNamed(const std::string& name) {
+  const std::filesystem::path path(name);
+  const std::string last = path.filename().string();
+  if (last.empty() || last == "." || last == "..")
+    return makeError(ErrorKind::Usage, "found '" + name + "', expected the name of a file: NAME.wind.json");
+  std::error_code ignored;
+  if (path.extension() == ".json" || std::filesystem::is_other(path, ignored)) return name;
+  return name + (path.extension() == ".wind" ? ".json" : ".wind.json");
+}
+
+int writeNew(Options options) {
   if (options.list) return listTemplates(options);
   const ProjectTemplate* chosen = findTemplate(options.templateName);
   if (options.file.empty()) {
@@ -48,6 +61,10 @@ int writeNew(const Options& options) {
                                                        "', expected one of " + templateNames()),
                        options);
   }
+  const Result<std::string> named = projectNamed(options.file);
+  if (!named) return reportError(named.error(), options);
+  options.file = *named;
+  if (const Status there = requireFolderOf(options.file); !there) return reportError(there.error(), options);
   std::error_code ignored;
   if (!options.force && std::filesystem::exists(options.file, ignored)) {
     return reportError(
@@ -69,10 +86,12 @@ int writeNew(const Options& options) {
 
 VerbAction makeNewVerb(CLI::App& app) {
   auto options = std::make_shared<Options>();
-  app.add_option("file", options->file, "Project file to write, by custom NAME.wind.json");
+  app.add_option("file", options->file,
+                 "Project file to write: NAME.wind.json; the ending is added where it is missing");
   std::vector<std::string> names;
   for (const ProjectTemplate& entry : projectTemplates()) names.emplace_back(entry.name);
   offer(app.add_option("-t,--template", options->templateName, "What to start from: " + templateNames())
+            ->type_name("NAME")
             ->capture_default_str(),
         names);
   addSolverOption(app, options->solver);

@@ -141,6 +141,24 @@ class Messages(unittest.TestCase):
         self.told("--density 20000: makes 800 million blades on this field, expected at most 200 million",
                   "render", "wide.wind.json", "--out", "a.png", "--density", "20000")
 
+    # Files
+
+    def test_new_adds_the_ending(self):
+        for name, file in (("meadow", "meadow.wind.json"), ("gusts v1.2", "gusts v1.2.wind.json"), ("a.wind", "a.wind.json"),
+                           ("b.json", "b.json")):
+            self.assertEqual(self.say(DONE, "new", name).stdout, f"{file}: written from template meadow\n")
+            self.assertTrue((self.folder / file).is_file(), file)
+            self.assertIn("--force", self.say(BAD_INPUT, "new", name).stderr)
+        self.assertFalse((self.folder / "meadow").exists())
+        self.assertEqual(json.loads(self.say(DONE, "new", "c", "--json").stdout)["file"], "c.wind.json")
+        for name in ("folder/", ".", ".."):
+            self.told(f"found '{name}', expected the name of a file: NAME.wind.json", "new", name)
+        self.assertIn("/dev/null: ", self.say(BAD_INPUT, "new", "/dev/null").stderr)
+
+    def test_a_folder_that_does_not_exist(self):
+        self.told("nodir/a.wind.json: the folder nodir doesn't exist", "new", "nodir/a.wind.json", status=BAD_INPUT)
+        self.told("nodir/a.png: the folder nodir doesn't exist", "render", "my.wind.json", "--out", "nodir/a.png", status=BAD_INPUT)
+
     # Bakes in parts
 
     def test_one_number_for_a_range_of_frames(self):

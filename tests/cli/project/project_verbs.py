@@ -13,7 +13,7 @@ import tempfile
 import unittest
 
 PATIENCE = int(os.environ.get("WINDLOOM_TEST_PATIENCE", 1))
-DONE, BAD_INPUT, USAGE, MACHINE = 0, 1, 2, 3
+DONE, BAD_INPUT, USAGE = 0, 1, 2
 
 # file -> (place, part of the message)
 REFUSALS = {
@@ -144,9 +144,9 @@ class Verbs(unittest.TestCase):
         self.assertNotEqual(path.read_bytes(), before)
         self.assertEqual((self.folder / "meadow.wind.json.bak").read_bytes(), before)
 
-    def test_new_into_a_missing_folder_is_the_machines_trouble(self):
-        result = self.expect(MACHINE, "new", self.folder / "none" / "a.wind.json", "--json")
-        self.assertIn("can't write", json.loads(result.stdout)["errors"][0]["message"])
+    def test_new_into_a_missing_folder_is_refused(self):
+        result = self.expect(BAD_INPUT, "new", self.folder / "none" / "a.wind.json", "--json")
+        self.assertIn("doesn't exist", json.loads(result.stdout)["errors"][0]["message"])
 
     def test_new_files_get_the_usual_rights(self):
         path = self.folder / "a.wind.json"
