@@ -1,15 +1,20 @@
 #include "editor/app/command_line.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <charconv>
+#include <cstdint>
+#include <cstdio>
+#include <limits>
 #include <string>
 #include <utility>
 
 #include "engine/cli/completion.hpp"
 #include "engine/cli/man_page.hpp"
+#include "engine/cli/option_checks.hpp"
+#include "engine/cli/usage_text.hpp"
 #include "engine/core/file.hpp"
 #include "engine/core/log.hpp"
-
 #include "engine/core/text.hpp"
 
 namespace windloom::editor {
@@ -46,6 +51,13 @@ int writeDocs(CLI::App& app, const std::filesystem::path& folder) {
   return 0;
 }
 
+int usageError(CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error);  // --help, --version
+  std::fprintf(stderr, "windloom-editor: %s\nRun 'windloom-editor --help' for how to use it.\n",
+               printable(cli::usageProblem(app, error, words)).c_str());
+  return 2;
+}
+
 }  // namespace
 
 std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, int& exitStatus) {
@@ -53,30 +65,37 @@ std::optional<CommandLine> parseCommandLine(int argc, const char* const* argv, i
   CLI::App app("Draw wind, see grass answer, export it for games.", "windloom-editor");
   std::string size, file, screenshot, keys, uiMap, docs;
   app.add_option("FILE", file, "Project to open (NAME.wind.json)");
-  app.add_option("--size", size, "Window size in pixels, e.g. 1280x720")->check([&](const std::string& text) {
-    return parseSize(text, line) ? std::string() : "expected WIDTHxHEIGHT, at least 320x240, found '" + text + "'";
-  });
-  app.add_option("--scale", line.scale, "Size of text and controls, 1 = 100%")->check([](const std::string& text) {
-    const auto scale = parseNumber(text);  // CLI::Range would let "nan" pass
-    return scale && *scale >= 0.5 && *scale <= 4 ? std::string()
-                                                 : "expected a number from 0.5 to 4, found '" + text + "'";
-  });
-  app.add_option("--select", line.selected, "Ids of what is selected at the start: 1,4")->delimiter(',');
-  app.add_option("--screenshot", screenshot, "Write the window as PNG after --frames frames, and end");
+  app.formatter(cli::helpFormatter());
+  app.add_option("--size", size, "Window size in pixels, e.g. 1280x720")
+      ->type_name("WxH")
+      ->check([&](const std::string& text) {
+        return parseSize(text, line) ? std::string() : "expected WIDTHxHEIGHT, at least 320x240, found '" + text + "'";
+      });
+  app.add_option("--scale", line.scale, "Size of text and controls, 1 = 100%")
+      ->type_name("S")
+      ->check(cli::numberFrom(0.5, 4));
+  app.add_option("--select", line.selected, "Ids of what is selected at the start: 1,4")
+      ->type_name("ID[,ID...]")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->transform(cli::wholeFrom(0, std::numeric_limits<std::uint32_t>::max()));
+  app.add_option("--screenshot", screenshot, "Write the window as PNG after --frames frames, and end")
+      ->type_name("PNG")
+      ->check(cli::pngName());
   app.add_option("--frames", line.frames, "Frames before the screenshot; each is 1/30 s of wind")
-      ->check(CLI::Range(1, 100000));
-  app.add_option("--keys", keys, "Write the list of all keys and gestures as Markdown, and end");
+      ->type_name("N")
+      ->transform(cli::wholeFrom(1, 100000));
+  app.add_option("--keys", keys, "Write the list of all keys and gestures as Markdown, and end")->type_name("FILE");
   app.add_option("--ui-map", uiMap,
-                 "Keep FILE up to date with the names and places of controls (window tests, accessibility)");
+                 "Keep FILE up to date with the names and places of controls (window tests, accessibility)")
+      ->type_name("FILE");
   app.set_version_flag("--version", "windloom-editor " WINDLOOM_VERSION);
-  app.add_option("--docs", docs, "Write the manual page and shell completions into this folder, and end");
-  app.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return printable(error.what()) + "\nRun with --help for more information.\n";
-  });
+  app.add_option("--docs", docs, "Write the manual page and shell completions into this folder, and end")
+      ->type_name("DIR");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    exitStatus = app.exit(error) == 0 ? 0 : 2;
+    exitStatus = usageError(app, error, {argv + std::min(argc, 1), argv + argc});
     return std::nullopt;
   }
   if (!docs.empty()) {

@@ -116,6 +116,10 @@ std::string pageOf(const ProgramHelp& help, const std::string& command, const st
   // Whoever looks for why the page says what it says should not edit it here.
   out += ".\\\" Made from the program's own options by `windloom docs`.\n";
   std::string summary = help.summary;
+  // "Windloom: wind drawn ..." would name it twice.
+  if (const std::size_t colon = summary.find(": ");
+      colon == page.size() && upper(summary.substr(0, colon)) == upper(page))
+    summary.erase(0, colon + 2);
   if (summary.ends_with('.')) summary.pop_back();
   out += ".SH NAME\n" + page + " \\- " + escaped(summary) + "\n";
   out += ".SH SYNOPSIS\n.nh\n.ad l\n" + synopsisOf(help, command) + ".ad b\n.hy\n";

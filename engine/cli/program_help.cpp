@@ -46,7 +46,7 @@ void addValues(CLI::Option& option, OptionHelp& help) {
 ValueKind kindOf(const OptionHelp& help) {
   if (!help.choices.empty()) return ValueKind::Choice;
   if (help.value == "DIR" || help.value == "FOLDER") return ValueKind::Folder;
-  const bool file = help.value.starts_with("FILE") || help.value.ends_with(".png");
+  const bool file = help.value.starts_with("FILE") || help.value.ends_with(".png") || help.value == "PNG";
   return file ? ValueKind::File : ValueKind::Word;
 }
 
@@ -84,6 +84,7 @@ OptionHelp describe(CLI::Option& option) {
   if (help.value == "FILE" && help.names.empty()) help.suffix = ".wind.json";
   if (help.kind == ValueKind::File && help.value.find('.') != std::string::npos)
     help.suffix = help.value.substr(help.value.find('.'));
+  if (help.value == "PNG") help.suffix = ".png";
   help.valueMayMiss = option.get_items_expected_min() == 0;
   help.repeated = option.get_items_expected_max() > 1;
   help.commas = option.get_delimiter() == ',';

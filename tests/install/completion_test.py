@@ -120,6 +120,31 @@ class Completion(unittest.TestCase):
         call = {"script": "windloom-editor.bash", "function": "_windloom_editor"}
         self.assertEqual(self.bash("windloom-editor", "me", **call), ["meadow.wind.json"])
         self.assertEqual(self.bash("windloom-editor", "--sc", **call), ["--scale", "--screenshot"])
+        self.assertEqual(sorted(self.bash("windloom-editor", "--screenshot", "", **call)), ["my samples", "picture.png"])
+        everything = sorted(path.name for path in self.work.iterdir())
+        for option in ("--keys", "--ui-map"):
+            self.assertEqual(sorted(set(self.bash("windloom-editor", option, "", **call))), everything)
+        self.assertEqual(self.bash("windloom-editor", "--docs", "", **call), ["my samples"])
+
+    @unittest.skipUnless(EDITOR, "a build without the editor")
+    def test_the_editors_help_names_what_options_take(self):
+        text = subprocess.run([EDITOR, "--help"], capture_output=True, text=True, check=True).stdout
+        for option in ("--size WxH", "--scale S", "--select ID[,ID...]", "--screenshot PNG", "--frames N", "--keys FILE", "--ui-map FILE",
+                       "--docs DIR"):
+            self.assertRegex(text, "(?m)^  " + re.escape(option) + "(:| |$)")
+        page = (self.made / "windloom-editor.1").read_text(encoding="utf-8")
+        self.assertIn("--size\\fR \\fIWxH\\fR", page.replace("\\-", "-"))
+
+    @unittest.skipUnless(EDITOR, "a build without the editor")
+    def test_the_editor_says_what_it_does_not_know(self):
+        for words, message in ((("--screenshoot", "a.png"), "no option --screenshoot; did you mean --screenshot?"),
+                               (("a.wind.json", "b.wind.json"), "found 'b.wind.json', expected only options there"),
+                               (("--screenshot", "a.jpg"), "--screenshot: found 'a.jpg', expected a name that ends in .png"),
+                               (("--select", "1,x"), "--select: found 'x', expected a whole number from 0 to 4294967295"),
+                               (("--keys",), "--keys: expected FILE after it")):
+            done = subprocess.run([EDITOR, *words], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertEqual(done.stderr.splitlines()[0], "windloom-editor: " + message)
 
     # zsh
 

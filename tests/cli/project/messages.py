@@ -193,6 +193,12 @@ class Messages(unittest.TestCase):
                                                              "--steps", "1", "--backend", "cpu").stdout)
         self.assertIn("(1 step, cpu)", self.say(DONE, "sample", "my.wind.json", "--time", "0.05", "--backend", "cpu").stdout)
 
+    def test_a_manual_page_names_itself_once(self):
+        (self.folder / "man").mkdir()
+        self.say(DONE, "docs", "man", "--man")
+        text = (self.folder / "man" / "windloom.1").read_text(encoding="utf-8")
+        self.assertIn(".SH NAME\nwindloom \\- wind drawn as trees of arrows, seen in grass, exported for games\n", text)
+
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser()
