@@ -76,16 +76,25 @@ unsigned newFileMode() {
   return mode;
 }
 
-Status makeFolder(const fs::path& path, unsigned mode) {
+namespace {
+
+/// The folder and its parents; 0 or the number of the error.
+int makeFolders(const fs::path& path, unsigned mode) {
   std::error_code ec;
-  if (fs::is_directory(path, ec)) return Done{};
+  if (fs::is_directory(path, ec)) return 0;
   if (path.has_parent_path() && path != path.parent_path()) {
-    if (Status made = makeFolder(path.parent_path(), mode); !made) return made;
+    if (const int code = makeFolders(path.parent_path(), mode); code != 0) return code;
   }
-  if (::mkdir(path.c_str(), mode) == 0) return Done{};
-  const int code = errno;
-  if (code == EEXIST && fs::is_directory(path, ec)) return Done{};
-  return ioError(path, "make this folder", code);
+  if (::mkdir(path.c_str(), mode) == 0) return 0;
+  if (errno != EEXIST) return errno;
+  return fs::is_directory(path, ec) ? 0 : ENOTDIR;
+}
+
+}  // namespace
+
+Status makeFolder(const fs::path& path, unsigned mode) {
+  const int code = makeFolders(path, mode);
+  return code == 0 ? Status(Done{}) : ioError(path, "make this folder", code);
 }
 
 Result<fs::path> findDataFolder(std::string_view name) {
